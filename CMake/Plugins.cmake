@@ -10,6 +10,11 @@ function (antinode_plugin target name ceramics uri code format entry editor is_s
     # A Debian patch of JUCE ignores the URI above.
     target_compile_definitions (${target} PUBLIC ANTINODE_LV2_CERAMICS=${ceramics} JucePlugin_LV2URI="${uri}")
     target_link_libraries (${target} PUBLIC ${editor})
+    # What its VST3 does not do: Docs/Decisions/0184-beyond-the-wrapper.md.
+    get_target_property (folder juce::juce_audio_plugin_client INTERFACE_JUCE_MODULE_PATH)
+    set_source_files_properties (${folder}/juce_audio_plugin_client/juce_audio_plugin_client_VST3.cpp PROPERTIES
+        COMPILE_OPTIONS "-include;${PROJECT_SOURCE_DIR}/Source/Processor/VST3Controller.h"
+        OBJECT_DEPENDS ${PROJECT_SOURCE_DIR}/Source/Processor/VST3Controller.h)
     # Only ours is compiled with our warnings: JUCE 8 does not pass them, and its files are compiled for each plug-in.
     set_source_files_properties (${entry} PROPERTIES COMPILE_OPTIONS "$<TARGET_PROPERTY:antinode_options,INTERFACE_COMPILE_OPTIONS>")
 endfunction()

@@ -15,7 +15,8 @@ void EventDelay::takeDue (std::int64_t end)
     }
 }
 
-std::span<const FocusEvent> EventDelay::process (std::span<const FocusEvent> events, int count, std::int64_t delay)
+std::span<const FocusEvent> EventDelay::process (std::span<const FocusEvent> events, int count, std::int64_t delay,
+                                                 bool isHeld)
 {
     taken = 0;
 
@@ -23,7 +24,9 @@ std::span<const FocusEvent> EventDelay::process (std::span<const FocusEvent> eve
     {
         if (isStop (event))
         {
-            takeDue (clock + event.offset);
+            if (! isHeld)
+                takeDue (clock + event.offset);
+
             waiting = 0;
             lastDue = clock + event.offset;
             taken = std::min (taken, mostPerBlock - 1); // There is room for a stop.
@@ -36,7 +39,9 @@ std::span<const FocusEvent> EventDelay::process (std::span<const FocusEvent> eve
         }
     }
 
-    takeDue (clock + count);
+    if (! isHeld)
+        takeDue (clock + count);
+
     clock += count;
     return { out.data(), taken };
 }

@@ -21,9 +21,11 @@ public:
     /** @param events  of this block, in the order of their offsets
         @param count   samples of the block
         @param delay   samples, 0 or more
+        @param isHeld  only stops come out: what is due waits until it may
         @return        those that fall into this block; valid until the next call
         [audio thread] allocates nothing, locks nothing */
-    std::span<const FocusEvent> process (std::span<const FocusEvent> events, int count, std::int64_t delay);
+    std::span<const FocusEvent> process (std::span<const FocusEvent> events, int count, std::int64_t delay,
+                                         bool isHeld = false);
 
     /** As if no event had come. [audio thread] */
     void reset() { first = waiting = 0; }

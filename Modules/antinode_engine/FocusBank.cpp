@@ -80,6 +80,17 @@ std::int64_t FocusBank::latestFocusSample() const
     return latest;
 }
 
+std::int64_t FocusBank::latestEndSample() const
+{
+    std::int64_t latest = 0;
+
+    for (const auto& focus : foci)
+        if (focus != nullptr)
+            latest = std::max ({ latest, focus->endSample, focus->brake ? focus->brake->endSample() : 0 });
+
+    return latest;
+}
+
 void requireRoomInBank (const PlayableFocus& focus, std::size_t foci)
 {
     constexpr double mebibyte = 1024 * 1024;

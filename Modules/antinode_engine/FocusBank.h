@@ -58,6 +58,9 @@ struct FocusBank
     /** The latest focus of all, in samples after its trigger: the delay that lets every focus fall on its note. [any]
      */
     std::int64_t latestFocusSample() const;
+
+    /** The first sample after a trigger from which on no focus sounds, its brake included. [any] */
+    std::int64_t latestEndSample() const;
 };
 
 /** Whether a bank has room for as many foci like this one.

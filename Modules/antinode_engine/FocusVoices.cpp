@@ -30,8 +30,14 @@ FocusVoices::FocusVoices (int ceramicsToUse, double sampleRate, PlayerSettings s
         fadeGains.push_back (
             0.5 + 0.5 * std::cos (std::numbers::pi * static_cast<double> (n + 1) / static_cast<double> (fadeLength)));
 
-    if (settings.noteOff == NoteOffBehaviour::brake)
-        brakeFactors.resize (allVoices);
+    brakeFactors.resize (allVoices);
+}
+
+void FocusVoices::setSettings (const PlayerSettings& wanted)
+{
+    const auto fadeTime = settings.fadeTime;
+    settings = wanted;
+    settings.fadeTime = fadeTime;
 }
 
 FocusVoices::~FocusVoices()

@@ -62,6 +62,9 @@ public:
     /** Where a worker gives banks. They are taken at the start of a block. [any] */
     BankHandOver& handOver() { return exchange; }
 
+    /** What events do from the next block on; the fade time stays. Voices that play go on. [audio thread] */
+    void setSettings (const PlayerSettings&);
+
     /** Samples from an event to its focus where foci fall on notes, of the bank that plays; else 0. [audio thread] */
     std::int64_t latencySamples() const { return settings.focusOnNote ? latency : 0; }
 
@@ -175,7 +178,7 @@ private:
     BankHandOver exchange;
     std::array<UsedBank, allVoices + 2> banks {};
     int current = -1;                  ///< Index into banks of the one that triggers use.
-    std::vector<Factors> brakeFactors; ///< A set for each voice where notes hold brakes back, else none.
+    std::vector<Factors> brakeFactors; ///< A set for each voice.
     PlayerCounters counts;
 };
 } // namespace antinode

@@ -27,15 +27,17 @@ bool stopsAll (const juce::MidiMessage&);
 class MidiTriggers
 {
 public:
+    static constexpr std::size_t mostEvents = 1024; ///< Of a block; those beyond are left out.
+
     explicit MidiTriggers (VelocityCurve curveToUse) : curve (curveToUse) {}
 
-    /** The events of a block, in the order of their samples. Those beyond 1024 in one block are left out, but no stop.
+    /** The events of a block, in the order of their samples. No stop is left out.
         @return  valid until the next call
         [audio thread] allocates nothing, locks nothing */
     std::span<const FocusEvent> read (const juce::MidiBuffer&, int blockLength);
 
 private:
     VelocityCurve curve;
-    std::array<FocusEvent, 1024> events;
+    std::array<FocusEvent, mostEvents> events;
 };
 } // namespace antinode

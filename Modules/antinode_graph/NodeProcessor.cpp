@@ -20,9 +20,11 @@ juce::AudioProcessor::BusesProperties NodeProcessor::makeBuses (const Node& node
 
 void NodeProcessor::prepareToPlay (double sampleRate, int longestBlock)
 {
-    wrapped->prepare ({ sampleRate, longestBlock });
-    inputFloats.setSize (wrapped->inputs(), longestBlock);
-    inputDoubles.setSize (wrapped->inputs(), longestBlock);
+    longestPart = std::max (1, longestBlock);
+    wrapped->prepare ({ sampleRate, longestPart });
+    inputFloats.setSize (wrapped->inputs(), longestPart);
+    inputDoubles.setSize (wrapped->inputs(), longestPart);
+    partEvents.reserve (MidiTriggers::mostEvents);
     setLatencySamples (static_cast<int> (wrapped->latencySamples()));
 }
 
@@ -31,25 +33,42 @@ bool NodeProcessor::isBusesLayoutSupported (const BusesLayout& layout) const
     return layout.getMainInputChannels() == wrapped->inputs() && layout.getMainOutputChannels() == wrapped->outputs();
 }
 
+/** No part is longer than the node was prepared for. */
 template <typename Sample>
 void NodeProcessor::processParts (juce::AudioBuffer<Sample>& buffer, juce::AudioBuffer<Sample>& inputs,
                                   const juce::MidiBuffer& midi)
 {
-    const auto count = buffer.getNumSamples();
-
     // JUCE hands inputs and outputs over in the same channels.
-    if (buffer.getNumChannels() < std::max (wrapped->inputs(), wrapped->outputs())
-        || (wrapped->inputs() > 0 && count > inputs.getNumSamples()))
+    if (buffer.getNumChannels() < std::max (wrapped->inputs(), wrapped->outputs()))
     {
         buffer.clear();
         return;
     }
 
-    for (int i = 0; i < wrapped->inputs(); ++i)
-        inputs.copyFrom (i, 0, buffer, i, 0, count);
+    auto events = triggers.read (midi, buffer.getNumSamples());
 
-    wrapped->process (NodeBlock<Sample> { inputs.getArrayOfReadPointers(), buffer.getArrayOfWritePointers(), count,
-                                          triggers.read (midi, count) });
+    int offset = 0;
+
+    do
+    {
+        const auto count = std::min (longestPart, buffer.getNumSamples() - offset);
+
+        for (int i = 0; i < wrapped->inputs(); ++i)
+            inputs.copyFrom (i, 0, buffer, i, offset, count);
+
+        partEvents.clear();
+
+        for (; ! events.empty() && events.front().offset < offset + std::max (1, count); events = events.subspan (1))
+        {
+            partEvents.push_back (events.front());
+            partEvents.back().offset -= offset;
+        }
+
+        juce::AudioBuffer<Sample> part (buffer.getArrayOfWritePointers(), buffer.getNumChannels(), offset, count);
+        wrapped->process (
+            NodeBlock<Sample> { inputs.getArrayOfReadPointers(), part.getArrayOfWritePointers(), count, partEvents });
+        offset += longestPart;
+    } while (offset < buffer.getNumSamples());
 }
 
 void NodeProcessor::processBlock (juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi)

@@ -46,6 +46,8 @@ private:
 
     std::unique_ptr<Node> wrapped;
     MidiTriggers triggers;
+    int longestPart = 1; ///< Samples.
+    std::vector<FocusEvent> partEvents;
     juce::AudioBuffer<float> inputFloats;
     juce::AudioBuffer<double> inputDoubles;
 };

@@ -12,6 +12,7 @@ void AudioEntry::prepare (double sampleRate)
     preparedRate = sampleRate;
     paths.reset();
     stopCount.stop();
+    held.reset();
 }
 
 int AudioEntry::eventPlace (const FocusEvent& event) const
@@ -47,7 +48,7 @@ void AudioEntry::process (const OutputBlock<Sample>& block, std::span<const Focu
         auto now = controls;
         now.isArmed = controls.isArmed && ! paths.isLeaving();
         fullScale = current->model().fullScaleVoltage;
-        current->process (block, gather (events), now, levels, trace);
+        current->process (block, held.process (gather (events), block.count, 0, paths.isLeaving()), now, levels, trace);
         return;
     }
 

@@ -4,6 +4,8 @@
 #include "PathExchange.h"
 #include "TriggerQueue.h"
 
+#include <antinode_engine/EventDelay.h>
+
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -64,7 +66,8 @@ private:
     std::atomic<double> preparedRate { 0 }, fullScale { 0 };
     StopCount stopCount;
     TriggerQueue triggers { stopCount };
-    std::uint64_t playedStop = 0; ///< Of the audio thread, as the next line: the newest one.
+    EventDelay held;              ///< Of the audio thread: events that wait while the path ramps out for another one.
+    std::uint64_t playedStop = 0; ///< The newest one, of the audio thread as the next line.
     std::array<FocusEvent, 1 + TriggerQueue::capacity + mostOfBlock> blockEvents {};
     LevelMeters levels;
     ProbeTrace trace;

@@ -21,11 +21,11 @@ void copyScaled (const double* from, Sample* to, int count, double gain)
 }
 } // namespace
 
-AudioPath::AudioPath (std::shared_ptr<const ModalModel> model, double sampleRateToUse, PlayerSettings settings,
+AudioPath::AudioPath (std::shared_ptr<const ModalModel> model, double sampleRateToUse,
                       const Eigen::MatrixXd& probeShapes, const GraphChoice& graph, Listening whoListens)
     : modes (std::move (model)), rate (sampleRateToUse),
-      standard (graph.isOpen ? openGraph (modes, settings, probeShapes, graph.insert)
-                             : standardGraph (modes, settings, probeShapes)),
+      standard (graph.isOpen ? openGraph (modes, PlayerSettings {}, probeShapes, graph.insert)
+                             : standardGraph (modes, PlayerSettings {}, probeShapes)),
       listening (std::move (whoListens)), toFullScale (1 / modes->fullScaleVoltage)
 {
     standard.graph.prepare ({ rate, graph.isOpen ? longestOpenPart : longestPart });
@@ -49,6 +49,7 @@ template <typename Sample>
 void AudioPath::process (const OutputBlock<Sample>& block, std::span<const FocusEvent> events,
                          const PlayControls& controls, LevelMeters& meters, ProbeTrace& trace)
 {
+    standard.voiceNode().voices().setSettings (controls.notes);
     standard.gainNode().setGain (controls.outputTrim);
     standard.gainNode().setMutes (controls.mutes | listening.idle);
 

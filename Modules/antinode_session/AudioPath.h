@@ -41,7 +41,7 @@ public:
     /** @param probeShapes  2 x N_m, kg^-1/2
         @throws InputError  when the device or the format cannot be played
         [worker] */
-    AudioPath (std::shared_ptr<const ModalModel>, double sampleRate, PlayerSettings, const Eigen::MatrixXd& probeShapes,
+    AudioPath (std::shared_ptr<const ModalModel>, double sampleRate, const Eigen::MatrixXd& probeShapes,
                const GraphChoice& = {}, Listening = {});
 
     DesignWorker& worker() { return *designs; }

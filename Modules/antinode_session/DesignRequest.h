@@ -47,6 +47,7 @@ struct DesignProgress
     std::string error;             ///< Why the last of them failed, in one sentence.
     std::string liveError;         ///< Why the focus at its own place failed; empty if it did not.
     double firstMilliseconds = 0;  ///< From the newest request to its first focus.
+    double endSeconds = 0;         ///< After a trigger: no focus that was handed over sounds later, brakes included.
 
     bool isDone() const { return designed >= wanted; }
 };

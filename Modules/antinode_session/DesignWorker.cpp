@@ -48,7 +48,9 @@ void DesignWorker::request (DesignRequest request)
 {
     request.places.resize (std::min<std::size_t> (request.places.size(), FocusBank::notePlaces));
     const std::lock_guard lock (mutex);
+    const auto end = state.endSeconds;
     state = {};
+    state.endSeconds = end;
     state.wanted = static_cast<int> (request.places.size()) + 1;
     state.volts.resize (request.places.size());
     isReady.fill (false);
@@ -293,6 +295,12 @@ bool DesignWorker::designPlace (const DesignRequest& request, int place, const F
 
 void DesignWorker::handOverBank()
 {
+    if (accepted)
+    {
+        const std::lock_guard lock (mutex);
+        state.endSeconds = static_cast<double> (bank.latestEndSample()) / accepted->playback.sampleRate;
+    }
+
     handOver.give (std::make_unique<const FocusBank> (bank));
 }
 } // namespace antinode

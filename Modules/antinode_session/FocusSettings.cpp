@@ -176,6 +176,12 @@ std::int64_t estimateLatency (const FocusDescription& document, const PlaySettin
                : 0;
 }
 
+double estimateEnd (const FocusDescription& document, const PlaySettings& settings)
+{
+    const auto focus = withSettings (document, settings, Surface {});
+    return latestFocusTime (focus) + focus.transients.brakeDuration.value_or (0);
+}
+
 std::vector<std::pair<double, double>> probePlaces (const FocusDescription& document, const PlaySettings& settings,
                                                     const Surface& surface)
 {

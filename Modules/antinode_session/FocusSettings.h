@@ -27,6 +27,10 @@ FocusDescription withSettings (const FocusDescription& document, const PlaySetti
 /** Samples from a trigger to its focus where foci are delayed onto notes, else 0. [any] */
 std::int64_t estimateLatency (const FocusDescription& document, const PlaySettings&, double sampleRate);
 
+/** When the last voltage of a trigger ends as far as it is known without a design: after the last focus and the time
+   that its brake is given, s. [any] */
+double estimateEnd (const FocusDescription& document, const PlaySettings&);
+
 /** A place from percents of the surface's extent. @return  x, y in m [any] */
 std::pair<double, double> placeFromPercent (const Surface&, double xPercent, double yPercent);
 

@@ -77,7 +77,7 @@ public:
     /** By how many samples the velocities lag the voltages. [any] */
     std::int64_t latencySamples() const;
 
-    /** 60 dB of the slowest mode's decay, s. [any] */
+    /** The latency and 60 dB of the slowest mode's decay, s. [any] */
     double tailSeconds() const;
 
 private:

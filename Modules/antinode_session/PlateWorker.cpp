@@ -86,7 +86,7 @@ void PlateWorker::buildPath (double sampleRate)
         auto made = std::make_unique<PlatePath> (present.model, sampleRate, probeShapes(), settings.model);
         path = made.get();
         latency = path->latencySamples();
-        tail = std::log (1000) / decayRates (*present.model).minCoeff();
+        tail = static_cast<double> (latency) / sampleRate + std::log (1000) / decayRates (*present.model).minCoeff();
         present.motion = path->motion();
         present.captureStep = path->captureStep();
         paths.give (std::move (made));

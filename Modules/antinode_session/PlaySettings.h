@@ -28,9 +28,7 @@ struct PlaySettings
     int modeCount = 0;           ///< 0: as the focus says, or chosen.
     float probeXPercent = 50, probeYPercent = 50;
     NoteLayout noteLayout = NoteLayout::spread;
-    NoteOffBehaviour noteOff = NoteOffBehaviour::ignore;
-    RetriggerBehaviour retrigger = RetriggerBehaviour::overlap;
-    bool focusOnNote = false;
+    bool focusOnNote = false; ///< Of which the host knows the latency; what plays has it in its controls.
 
     bool operator== (const PlaySettings&) const = default;
 };
@@ -38,6 +36,7 @@ struct PlaySettings
 /** Settings that take effect immediately, without a new design. */
 struct PlayControls
 {
+    PlayerSettings notes;         ///< What notes do.
     bool isArmed = true;          ///< False: all voltages ramp to 0.
     double outputTrim = 1;        ///< Factor of all voltages, 0 to 1.
     double monitorGain = 1;       ///< Factor of the probe velocities; 1: a sample of 1.0 is 1 m/s.

@@ -3,6 +3,7 @@
 #include "FocusSettings.h"
 #include "SessionWorker.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace antinode
@@ -97,6 +98,12 @@ Session::TouchResult Session::fireAt (double x, double y, double amplitude)
 void Session::stopAll()
 {
     stops().stop();
+}
+
+double Session::tailSeconds() const
+{
+    const auto end = estimateEnd (requests->newestFocus()->description, owner->settings ({}));
+    return std::max (end, progress().endSeconds) + requests->ringingSeconds();
 }
 
 std::shared_ptr<const SessionSnapshot> Session::snapshot() const

@@ -122,8 +122,9 @@ public:
     /** The voltage of a sample of 1.0 in the last block, V; 0 before the first block. [any] */
     double fullScaleVolts() const { return entry->fullScaleVolts(); }
 
-    /** The tail after the last trigger: the focus, and 60 dB of decay of the slowest mode. s [any] */
-    double tailSeconds() const { return requests->tailSeconds(); }
+    /** The tail after the last trigger, as the parameters are now: the focus with its brake, lags, and 60 dB of decay
+       of the slowest mode. s [any but the audio thread] */
+    double tailSeconds() const;
 
 private:
     std::shared_ptr<SessionOwner<PlaySettings>> owner;

@@ -102,14 +102,14 @@ public:
     std::int64_t latencySamples() const { return latency; }
     void setLatencySamples (std::int64_t samples) { latency = samples; }
 
-    /** After the last trigger: the focus, and 60 dB of decay of the slowest mode. s [any] */
-    double tailSeconds() const { return tail; }
-    void setTailSeconds (double seconds) { tail = seconds; }
+    /** How long the device is heard after a voltage: its lag, and 60 dB of decay of the slowest mode. s [any] */
+    double ringingSeconds() const { return ringing; }
+    void setRingingSeconds (double seconds) { ringing = seconds; }
 
 private:
     std::atomic<bool> wantsOpenGraph { false }, stopping { false };
     std::atomic<std::int64_t> latency { 0 };
-    std::atomic<double> tail { 1 };
+    std::atomic<double> ringing { 1 };
     mutable std::mutex mutex; ///< For all that follows, and what ends a wait is changed under it.
     std::condition_variable wake, settled;
     SessionRound asked; ///< So far, for the next round.

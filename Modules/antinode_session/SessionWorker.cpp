@@ -5,7 +5,6 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
-#include <antinode_focus/FocusMoments.h>
 #include <antinode_focus/WideDesign.h>
 #include <antinode_library/Library.h>
 #include <antinode_model/IdleCeramics.h>
@@ -19,16 +18,6 @@ namespace antinode
 namespace
 {
 constexpr double traceEntriesPerSecond = 2000;
-
-PlayerSettings toPlayerSettings (const PlaySettings& settings)
-{
-    return { settings.noteOff, settings.retrigger, settings.focusOnNote };
-}
-
-bool needNewPath (const PlaySettings& one, const PlaySettings& other)
-{
-    return one.noteOff != other.noteOff || one.retrigger != other.retrigger || one.focusOnNote != other.focusOnNote;
-}
 } // namespace
 
 SessionWorker::SessionWorker (std::shared_ptr<SessionRequests> requestsToServe,
@@ -52,7 +41,11 @@ void SessionWorker::run()
             if (round->awaited && path != nullptr)
                 path->worker().waitFor (*round->awaited);
 
-            requests->finish (round->number, designs());
+            const auto now = designs();
+            requests->finish (round->number, now);
+
+            if (std::exchange (toldEnd, now.endSeconds) != now.endSeconds)
+                owner->tell();
         }
     }
     catch (const Cancelled&)
@@ -78,8 +71,7 @@ void SessionWorker::step (const SessionRound& round)
 
     if (model != nullptr && round.sampleRate > 0)
     {
-        const auto needsPath = isModelNew || rate != round.sampleRate || isGraphNew || tracking.isSensorNew()
-                               || needNewPath (read, settings);
+        const auto needsPath = isModelNew || rate != round.sampleRate || isGraphNew || tracking.isSensorNew();
         const auto needsDesigns = needsPath || isFocusNew || read != settings || hasDrifted();
         settings = read;
         rate = round.sampleRate;
@@ -207,13 +199,13 @@ void SessionWorker::buildPath()
     try
     {
         // Under fingers the modes are others: the tracker says what it cannot follow.
-        auto made = std::make_unique<AudioPath> (played, rate, toPlayerSettings (settings), probeShapes(), graph,
+        auto made = std::make_unique<AudioPath> (played, rate, probeShapes(), graph,
                                                  tracking.listen (fingers.empty() ? model : played, rate));
         path = made.get();
         entry->probeTrace().prepare (std::max (1, static_cast<int> (rate / traceEntriesPerSecond)));
         entry->give (std::move (made));
-        requests->setTailSeconds (latestFocusTime (focus->description)
-                                  + std::log (1000) / decayRates (*played).minCoeff());
+        requests->setRingingSeconds (static_cast<double> (path->lateSamples()) / rate
+                                     + std::log (1000) / decayRates (*played).minCoeff());
     }
     catch (const std::exception& failure)
     {

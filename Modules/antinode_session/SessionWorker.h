@@ -63,6 +63,7 @@ private:
     double rate = 0;           ///< Hz, of the path.
     AudioPath* path = nullptr; ///< The newest one, which `entry` owns; none where it could not be built.
     GraphChoice graph;
+    double toldEnd = 0; ///< s, of the foci: the tail that the owner knows.
     bool isSolving = false, isModelNew = false, isFocusNew = false, isGraphNew = false;
     std::string deviceError, fingerError;
 };

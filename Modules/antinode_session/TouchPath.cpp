@@ -63,12 +63,6 @@ TouchPath::TouchPath (std::shared_ptr<const ModalModel> model, int inputs, Track
     focusDesigns = std::make_unique<DesignWorker> (voices.handOver());
 }
 
-void TouchPath::reset()
-{
-    graph.reset();
-    delay.reset();
-}
-
 /** Notes as places of the bank, as loud as the gain has them; stops where notes mean nothing, too. */
 std::span<const FocusEvent> TouchPath::placed (std::span<const FocusEvent> notes, const TouchControls& controls)
 {
@@ -103,8 +97,8 @@ bool TouchPath::isSilentAfter (std::int64_t passed) const
 }
 
 template <typename Sample>
-void TouchPath::process (const TouchBlock<Sample>& block, const TouchControls& controls, bool isLeaving,
-                         LevelMeters& meters, FingerMeters& fingerMeters)
+void TouchPath::process (const TouchBlock<Sample>& block, const TouchControls& controls, EventDelay& delay,
+                         bool isLeaving, LevelMeters& meters, FingerMeters& fingerMeters)
 {
     for (int j = 0; j < fingers; ++j)
         filterNode().setLevel (static_cast<std::size_t> (j), controls.levels[static_cast<std::size_t> (j)]);
@@ -117,7 +111,8 @@ void TouchPath::process (const TouchBlock<Sample>& block, const TouchControls& c
         if (node != nullptr)
             node->setArmed (controls.isArmed && ! isLeaving);
 
-    const auto due = delay.process (placed (block.events, controls), block.count, latencies[controls.latency]);
+    const auto due =
+        delay.process (placed (block.events, controls), block.count, latencies[controls.latency], isLeaving);
     graph.processParts<double> (block.count, due,
                                 [&] (int offset, int count, Outputs outputs)
                                 {
@@ -196,6 +191,8 @@ void TouchPath::note (int count, Outputs outputs, LevelMeters& meters)
     }
 }
 
-template void TouchPath::process (const TouchBlock<float>&, const TouchControls&, bool, LevelMeters&, FingerMeters&);
-template void TouchPath::process (const TouchBlock<double>&, const TouchControls&, bool, LevelMeters&, FingerMeters&);
+template void TouchPath::process (const TouchBlock<float>&, const TouchControls&, EventDelay&, bool, LevelMeters&,
+                                  FingerMeters&);
+template void TouchPath::process (const TouchBlock<double>&, const TouchControls&, EventDelay&, bool, LevelMeters&,
+                                  FingerMeters&);
 } // namespace antinode

@@ -58,10 +58,12 @@ public:
     DesignWorker& foci() { return *focusDesigns; }
 
     /** Plays a block of any length.
-        @param isLeaving  from now on the voltages ramp to 0
+        @param delay      of notes: lasts longer than the path
+        @param isLeaving  from now on the voltages ramp to 0, and notes wait for the next path
         [audio thread] allocates nothing, locks nothing */
     template <typename Sample>
-    void process (const TouchBlock<Sample>&, const TouchControls&, bool isLeaving, LevelMeters&, FingerMeters&);
+    void process (const TouchBlock<Sample>&, const TouchControls&, EventDelay& delay, bool isLeaving, LevelMeters&,
+                  FingerMeters&);
 
     /** The device. [any] */
     const ModalModel& model() const { return *modes; }
@@ -76,7 +78,7 @@ public:
     bool isSilentAfter (std::int64_t samples) const;
 
     /** As if no input had come. [audio thread] */
-    void reset();
+    void reset() { graph.reset(); }
 
 private:
     using Outputs = const double* const*; ///< Of the graph: the voltages behind the limiter, then what is asked for.
@@ -103,7 +105,6 @@ private:
     LimiterNode* outputLimiter = nullptr; ///< Of the graph, behind the filters of lags; none: nothing lags.
     std::array<std::int64_t, touchLatencies.size()> latencies {}; ///< Samples.
     std::array<FocusEvent, 1 + EventDelay::mostPerBlock> placedNotes {};
-    EventDelay delay;
     std::unique_ptr<DesignWorker> focusDesigns; ///< Ends before the graph whose voices it gives banks to.
 };
 } // namespace antinode

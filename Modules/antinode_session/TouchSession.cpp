@@ -110,9 +110,9 @@ std::int64_t TouchSession::latencySamples (std::size_t latency) const
     return worker->latencySamples (latency);
 }
 
-double TouchSession::tailSeconds() const
+double TouchSession::tailSeconds (std::size_t latency) const
 {
-    return worker->tailSeconds();
+    return worker->tailSeconds (latency);
 }
 
 template void TouchSession::process (const TouchBlock<float>&, const TouchControls&);

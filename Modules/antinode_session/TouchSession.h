@@ -114,8 +114,9 @@ public:
     /** By how many samples motions lag their inputs; that of 48 kHz before the first preparation. [any] */
     std::int64_t latencySamples (std::size_t latency) const;
 
-    /** Of what is heard after an input: its filter's length and 60 dB of the slowest mode's decay, s. [any] */
-    double tailSeconds() const;
+    /** Of what is heard after an input or a note: the filter's length or the focus with its brake, whichever ends
+       later, and 60 dB of the slowest mode's decay, s. [any but the audio thread] */
+    double tailSeconds (std::size_t latency) const;
 
 private:
     std::shared_ptr<SessionOwner<TouchSettings>> owner;

@@ -44,6 +44,7 @@ void TouchWorker::prepare (double sampleRate, int inputs)
     preparedRate = sampleRate;
     paths.reset();
     stopCount.stop();
+    noteDelay.reset();
     ask ({ sampleRate, inputs });
 }
 
@@ -59,6 +60,14 @@ std::int64_t TouchWorker::latencySamples (std::size_t latency) const
     {
         return 0; // There is silence at such a rate.
     }
+}
+
+/** Notes wait as long as the filters take. */
+double TouchWorker::tailSeconds (std::size_t latency) const
+{
+    const auto rate = preparedRate > 0 ? preparedRate.load() : usualTouchRate;
+    const auto delay = static_cast<double> (latencySamples (latency)) / rate, lag = static_cast<double> (late) / rate;
+    return std::max (lag + FilterSettings().length, delay + focusProgress().endSeconds) + ringing;
 }
 
 void TouchWorker::run()
@@ -132,6 +141,9 @@ void TouchWorker::step()
     if (path != nullptr)
         serveFoci();
 
+    if (const auto end = focusProgress().endSeconds; std::exchange (toldEnd, end) != end)
+        owner->tell();
+
     if (path != nullptr && designedFor != settings)
         design();
 }
@@ -185,7 +197,7 @@ void TouchWorker::buildPath()
         makeDesigner();
         path = made.get();
         isPathNew = true;
-        tail = std::log (1000) / decayRates (*present.model).minCoeff() + FilterSettings().length;
+        ringing = std::log (1000) / decayRates (*present.model).minCoeff();
         late = made->lateSamples();
         paths.give (std::move (made));
     }
@@ -225,7 +237,7 @@ void TouchWorker::process (const TouchBlock<Sample>& block, const TouchControls&
         now.notes = foci.notes();
         const auto stop = stopCount.now();
         now.stops = std::exchange (playedStop, stop) != stop;
-        current->process (block, now, paths.isLeaving(), levels, fingerLevels);
+        current->process (block, now, noteDelay, paths.isLeaving(), levels, fingerLevels);
         return;
     }
 

@@ -50,7 +50,7 @@ public:
     LevelMeters& meters() { return levels; }
     FingerMeters& fingerMeters() { return fingerLevels; }
     std::int64_t latencySamples (std::size_t latency) const;
-    double tailSeconds() const { return tail; }
+    double tailSeconds (std::size_t latency) const;
     double fullScaleVolts() const { return fullScale; }
     TrackingRequests& tracking() const { return *trackingRequests; }
 
@@ -94,15 +94,17 @@ private:
     FingerMovement movement;
     FingerMovement::Clock::duration quickTime = std::chrono::milliseconds (10); ///< That quick filters last took.
     TouchFoci foci;
+    double toldEnd = 0;        ///< s, of the foci: the tail that the owner knows.
     bool isPathNew = false;    ///< Whether no focus was asked for it yet.
     TouchPath* path = nullptr; ///< The newest one, which `paths` owns.
 
     StopCount stopCount;
     std::uint64_t playedStop = 0; ///< Of the audio thread: the newest one.
     PathExchange<TouchPath> paths;
+    EventDelay noteDelay; ///< Of the audio thread.
     LevelMeters levels;
     FingerMeters fingerLevels;
-    std::atomic<double> preparedRate { 0 }, tail { 1 }, fullScale { 0 };
+    std::atomic<double> preparedRate { 0 }, ringing { 1 }, fullScale { 0 };
     std::atomic<std::int64_t> late { 0 }; ///< Samples by which outputs come later where lags of ceramics are undone.
 };
 } // namespace antinode

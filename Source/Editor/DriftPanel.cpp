@@ -6,6 +6,7 @@
 
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
+#include <antinode_base/TypedNumber.h>
 #include <antinode_session/TrackingWords.h>
 
 #include <algorithm>
@@ -124,12 +125,26 @@ void DriftPanel::forget()
     }
 }
 
-/** A place outside is said and not taken. */
+/** A place outside is said and not taken, and so is a text that is no number. */
 void DriftPanel::takePlace()
 {
     auto wanted = shown;
-    wanted.xMillimetres = places[0].getText().getDoubleValue();
-    wanted.yMillimetres = places[1].getText().getDoubleValue();
+
+    for (const auto& [text, value] : { std::pair (places[0].getText(), &wanted.xMillimetres),
+                                       std::pair (places[1].getText(), &wanted.yMillimetres) })
+    {
+        const auto typed = typedNumber (text.toStdString(), { "mm" });
+
+        if (! typed)
+        {
+            fault = "\"" + text + "\" is no place; allowed: a number of mm";
+            showSettings (shown);
+            sentence.setText (fault, juce::dontSendNotification);
+            return;
+        }
+
+        *value = *typed;
+    }
 
     if (const auto model = source.model(); model != nullptr)
     {

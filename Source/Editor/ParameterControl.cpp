@@ -3,6 +3,8 @@
 #include "EditorLook.h"
 #include "ParameterHelp.h"
 
+#include <Processor/StepParameters.h>
+
 namespace antinode
 {
 namespace
@@ -68,9 +70,9 @@ ParameterControl::ParameterControl (juce::RangedAudioParameter& parameterToSet)
     const auto range = parameter.getNormalisableRange();
     const auto words = static_cast<int> (range.end - range.start) + 1;
 
-    if (dynamic_cast<juce::AudioParameterBool*> (&parameter) != nullptr)
+    if (dynamic_cast<SwitchParameter*> (&parameter) != nullptr)
         makeSwitch();
-    else if (dynamic_cast<juce::AudioParameterInt*> (&parameter) != nullptr && words <= maximumWords)
+    else if (dynamic_cast<IntegerParameter*> (&parameter) != nullptr && words <= maximumWords)
         makeList (words);
     else
         makeBar();

@@ -39,7 +39,7 @@ public:
         [message thread] */
     void setValues (const std::map<std::string, double>&);
 
-    juce::AudioParameterBool& bypass() const { return *bypassed; }
+    SwitchParameter& bypass() const { return *bypassed; }
     NumberParameter& probeX (int probe) const { return *places[static_cast<std::size_t> (probe)].x; }
     NumberParameter& probeY (int probe) const { return *places[static_cast<std::size_t> (probe)].y; }
 

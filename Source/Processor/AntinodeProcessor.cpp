@@ -21,13 +21,18 @@ juce::AudioProcessor::BusesProperties AntinodeProcessor::busesFor (int ceramics,
 }
 
 AntinodeProcessor::AntinodeProcessor (int ceramics, WrapperType wrapperToUse)
-    : AudioProcessor (busesFor (ceramics, wrapperToUse)), wrapper (wrapperToUse)
+    : AudioProcessor (busesFor (ceramics, wrapperToUse)), VST3Extensions (static_cast<juce::AudioProcessor&> (*this)),
+      wrapper (wrapperToUse)
 {
     const auto start = demonstrator();
     loadedDevice = start.device;
     loadedFocus = touchedFocus = start.focus;
     controls = std::make_unique<Parameters> (*this, [this]
                                              { return player != nullptr ? player->snapshot()->model : nullptr; });
+
+    if (wrapper == wrapperType_VST3)
+        addStop();
+
     controls->setFocus (settingsFromFocus (loadedFocus->description, deviceExtent (loadedDevice->description), {}));
     player = std::make_unique<Session> (
         *loadedDevice, *loadedFocus, [this] { return readSettings(); }, [this] { changes.post(); });
@@ -207,6 +212,10 @@ void AntinodeProcessor::reportChanges()
 {
     reportLatency();
     controls->stepReports().tell();
+
+    // JUCE has no message of its own for it.
+    if (const auto tail = getTailLengthSeconds(); std::exchange (toldTail, tail) != tail)
+        updateHostDisplay (ChangeDetails().withLatencyChanged (true));
 
     if (describedModel.replace (player->snapshot()->model))
         updateHostDisplay (ChangeDetails().withParameterInfoChanged (true));

@@ -4,6 +4,7 @@
 #include "ChangeMessages.h"
 #include "DescribedModel.h"
 #include "Parameters.h"
+#include "VST3Extensions.h"
 
 #include <antinode_graph/MidiTriggers.h>
 #include <antinode_session/Session.h>
@@ -22,7 +23,7 @@ namespace antinode
     The input bus "Sensor" has one channel, or none: what listens to the surface. The main output bus "Ceramics" has 1
    to 64 channels, channel k for ceramic k, 1.0 = the device's full scale; the bus "Monitor" has the velocity at the
    probes, 1.0 = 1 m/s. */
-class AntinodeProcessor : public juce::AudioProcessor, public juce::VST3ClientExtensions
+class AntinodeProcessor : public juce::AudioProcessor, public VST3Extensions
 {
 public:
     static constexpr int maximumCeramics = BufferChannels::maximumCeramics;
@@ -123,6 +124,7 @@ private:
     BufferChannels bufferChannels;
     juce::CriticalSection latencyReports; ///< One at a time.
     DescribedModel describedModel;
+    double toldTail = 0; ///< s; of the message thread.
 
     mutable juce::CriticalSection documents; ///< For the next lines.
     std::shared_ptr<const DeviceDocument> loadedDevice;

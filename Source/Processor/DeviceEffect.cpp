@@ -28,7 +28,8 @@ juce::AudioProcessor::BusesProperties DeviceEffect::buses (const EffectBus& inpu
 
 DeviceEffect::DeviceEffect (const EffectBus& input, const EffectBus& output, SensorBus sensor, WrapperType wrapperToUse,
                             const char* schemaOfStates, const std::string& first)
-    : AudioProcessor (buses (input, output, sensor, wrapperToUse)), inputBus (input), outputBus (output),
+    : AudioProcessor (buses (input, output, sensor, wrapperToUse)),
+      VST3Extensions (static_cast<juce::AudioProcessor&> (*this)), inputBus (input), outputBus (output),
       sensorBus (sensor), wrapper (wrapperToUse), schema (schemaOfStates),
       loadedDevice (std::make_shared<const DeviceDocument> (
           readDeviceDocument (loadDocument (LibraryKind::device, first), "device '" + first + "'")))
@@ -190,6 +191,10 @@ void DeviceEffect::reportChanges()
 {
     reportLatency();
     stepReports().tell();
+
+    // As in AntinodeProcessor.
+    if (const auto tail = getTailLengthSeconds(); std::exchange (toldTail, tail) != tail)
+        updateHostDisplay (ChangeDetails().withLatencyChanged (true));
 
     if (describedModel.replace (solvedModel()))
         updateHostDisplay (ChangeDetails().withParameterInfoChanged (true));

@@ -3,6 +3,7 @@
 #include "ChangeMessages.h"
 #include "DescribedModel.h"
 #include "StepParameters.h"
+#include "VST3Extensions.h"
 
 #include <antinode_model/ModalModel.h>
 #include <antinode_session/DeviceState.h>
@@ -31,7 +32,7 @@ struct EffectBlock
 /** What all effects on a device are to a host: one input bus and one output bus whose channels have fixed wires, a
    bus for a sensor where there is one, a device that is loaded and kept in the state, parameters whose texts are in its
    mm, a latency that may change. What becomes of samples is left to those who derive from it. */
-class DeviceEffect : public juce::AudioProcessor
+class DeviceEffect : public juce::AudioProcessor, public VST3Extensions
 {
 public:
     /** Loads a device. [message thread] */
@@ -146,6 +147,7 @@ private:
     int sensorChannel = -1;                   ///< Of the buffer; below 0: the host does not use the bus.
     juce::CriticalSection latencyReports;     ///< One at a time.
     DescribedModel describedModel;
+    double toldTail = 0; ///< s; of the message thread.
 
     mutable juce::CriticalSection documents; ///< For the next lines.
     std::shared_ptr<const DeviceDocument> loadedDevice;

@@ -30,11 +30,8 @@ NumberParameter* GroupBuilder::number (const juce::String& identifier, const juc
 IntegerParameter* GroupBuilder::integer (const juce::String& identifier, const juce::String& name, int maximum,
                                          IntegerTexts texts, int initial)
 {
-    auto attributes = juce::AudioParameterIntAttributes()
-                          .withStringFromValueFunction (std::move (texts.toText))
-                          .withValueFromStringFunction (std::move (texts.fromText));
-    return add (std::make_unique<IntegerParameter> (juce::ParameterID { identifier, 1 }, name, maximum, attributes,
-                                                    processor.wrapperType, initial));
+    return add (std::make_unique<IntegerParameter> (juce::ParameterID { identifier, 1 }, name, maximum,
+                                                    std::move (texts), processor.wrapperType, initial));
 }
 
 IntegerParameter* GroupBuilder::choice (const juce::String& identifier, const juce::String& name,
@@ -47,11 +44,7 @@ IntegerParameter* GroupBuilder::choice (const juce::String& identifier, const ju
 SwitchParameter* GroupBuilder::flag (const juce::String& identifier, const juce::String& name, bool initial,
                                      const char* on, const char* off, bool isAutomatable)
 {
-    auto texts = flagTexts (on, off);
-    auto attributes = juce::AudioParameterBoolAttributes()
-                          .withStringFromValueFunction (std::move (texts.toText))
-                          .withValueFromStringFunction (std::move (texts.fromText))
-                          .withAutomatable (isAutomatable);
-    return add (std::make_unique<SwitchParameter> (juce::ParameterID { identifier, 1 }, name, initial, attributes));
+    return add (std::make_unique<SwitchParameter> (juce::ParameterID { identifier, 1 }, name, initial,
+                                                   flagTexts (on, off), isAutomatable));
 }
 } // namespace antinode

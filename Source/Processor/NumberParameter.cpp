@@ -44,7 +44,7 @@ NumberParameter::NumberParameter (const juce::ParameterID& identifier, const juc
 
 NumberParameter& NumberParameter::operator= (double wanted)
 {
-    if (std::isnan (wanted))
+    if (! std::isfinite (wanted))
         return *this;
 
     const auto allowed = std::clamp (wanted, range.minimum, range.maximum);
@@ -55,12 +55,11 @@ NumberParameter& NumberParameter::operator= (double wanted)
     return *this;
 }
 
-/** A share that is set again leaves the value as it is: hosts send back what they were told. */
+/** A share that is set again leaves the value as it is: hosts send back what they were told. So does one that is no
+   number. */
 void NumberParameter::setValue (float share)
 {
-    if (std::isnan (share))
-        value = range.minimum;
-    else if (share != getValue())
+    if (std::isfinite (share) && share != getValue())
         value = range.valueAt (static_cast<double> (share));
 }
 
@@ -71,6 +70,7 @@ juce::String NumberParameter::getText (float share, int maximumLength) const
 
 float NumberParameter::getValueForText (const juce::String& text) const
 {
-    return convertTo0to1 (texts.fromText (text));
+    const auto typed = texts.fromText (text);
+    return typed ? convertTo0to1 (*typed) : getValue();
 }
 } // namespace antinode

@@ -34,8 +34,8 @@ public:
     /** Within the range. [any] */
     double get() const { return value; }
 
-    /** Sets a value to the bit, one beyond the range to its end, not a number not at all; tells the host where it
-       changes. [any but the audio thread] */
+    /** Sets a value to the bit, one beyond the range to its end, one that is not finite not at all; tells the host
+       where it changes. [any but the audio thread] */
     NumberParameter& operator= (double);
 
     const juce::NormalisableRange<float>& getNormalisableRange() const override { return floatRange; }

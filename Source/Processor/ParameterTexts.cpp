@@ -1,6 +1,7 @@
 #include "ParameterTexts.h"
 
 #include <antinode_base/MessageText.h>
+#include <antinode_base/TypedNumber.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,11 +25,18 @@ juce::String numberText (double value, int decimals)
     return text.containsChar ('.') ? text.trimCharactersAtEnd ("0").trimCharactersAtEnd (".") : text;
 }
 
-/** What a text says; 0 where it says no number, "nan" included. */
-double numberIn (const juce::String& text)
+std::optional<double> numberIn (const juce::String& text, std::initializer_list<std::string_view> units)
 {
-    const auto number = text.getDoubleValue();
-    return std::isnan (number) ? 0.0 : number;
+    return typedNumber (text.toStdString(), units);
+}
+
+std::optional<int> wholeNumberIn (const juce::String& text)
+{
+    constexpr double most = 1e9;
+    const auto number = numberIn (text, {});
+    return number && *number == std::round (*number) && std::abs (*number) <= most
+               ? std::optional (static_cast<int> (*number))
+               : std::nullopt;
 }
 
 /** From where to where the surface goes, mm; both 0 if there is none. */
@@ -55,8 +63,13 @@ NumberTexts unitTexts (const char* unit, int decimals, float minimum, const char
                  const auto number = numberText (static_cast<double> (value), decimals);
                  return cut (suffix.isEmpty() ? number : number + " " + suffix, maximumLength);
              },
-             [=] (const juce::String& text)
-             { return word.isNotEmpty() && text.trim() == word ? -1e9F : static_cast<float> (numberIn (text)); } };
+             [=] (const juce::String& text) -> std::optional<float>
+             {
+                 if (word.isNotEmpty() && text.trim().equalsIgnoreCase (word))
+                     return -1e9F;
+
+                 return numberIn (text, { unit });
+             } };
 }
 
 NumberTexts placeTexts (const std::function<std::shared_ptr<const ModalModel>()>& model, SurfaceAxis axis)
@@ -69,13 +82,17 @@ NumberTexts placeTexts (const std::function<std::shared_ptr<const ModalModel>()>
                                        : numberText (static_cast<double> (percent), 3) + " %",
                              maximumLength);
              },
-             [=] (const juce::String& text)
+             [=] (const juce::String& text) -> std::optional<float>
              {
                  const auto [from, to] = axisExtent (model().get(), axis);
                  const auto isPercent = text.containsChar ('%') || ! (to > from);
-                 const auto value = numberIn (text);
+                 const auto value = numberIn (text, { isPercent ? "%" : "mm" });
+
+                 if (! value)
+                     return {};
+
                  return static_cast<float> (
-                     std::clamp (isPercent ? value : 100 * (value - from) / (to - from), 0.0, 100.0));
+                     std::clamp (isPercent ? *value : 100 * (*value - from) / (to - from), 0.0, 100.0));
              } };
 }
 
@@ -84,7 +101,8 @@ IntegerTexts countTexts (const char* wordForNone)
     const juce::String word (wordForNone);
     return { [=] (int value, int maximumLength)
              { return cut (value == 0 ? word : juce::String (value), maximumLength); },
-             [] (const juce::String& text) { return std::max (0, text.getIntValue()); } };
+             [=] (const juce::String& text) -> std::optional<int>
+             { return text.trim().equalsIgnoreCase (word) ? 0 : wholeNumberIn (text); } };
 }
 
 IntegerTexts wordTexts (const std::vector<juce::String>& words)
@@ -94,10 +112,12 @@ IntegerTexts wordTexts (const std::vector<juce::String>& words)
                  const auto index = std::clamp (value, 0, static_cast<int> (words.size()) - 1);
                  return cut (words[static_cast<std::size_t> (index)], maximumLength);
              },
-             [=] (const juce::String& text)
+             [=] (const juce::String& text) -> std::optional<int>
              {
-                 const auto found = std::find (words.begin(), words.end(), text.trim());
-                 return found == words.end() ? text.getIntValue() : static_cast<int> (found - words.begin());
+                 const auto found =
+                     std::find_if (words.begin(), words.end(),
+                                   [&] (const auto& word) { return word.equalsIgnoreCase (text.trim()); });
+                 return found == words.end() ? wholeNumberIn (text) : static_cast<int> (found - words.begin());
              } };
 }
 
@@ -105,11 +125,23 @@ FlagTexts flagTexts (const char* on, const char* off)
 {
     const juce::String yes (on), no (off);
     return { [=] (bool value, int maximumLength) { return cut (value ? yes : no, maximumLength); },
-             [=] (const juce::String& text)
+             [=] (const juce::String& text) -> std::optional<bool>
              {
-                 const auto trimmed = text.trim().toLowerCase();
-                 return trimmed == yes || trimmed == "on" || trimmed == "yes" || trimmed == "true"
-                        || trimmed.getFloatValue() >= 0.5F;
+                 const auto trimmed = text.trim();
+                 const auto isOneOf = [&] (std::initializer_list<juce::String> words)
+                 {
+                     return std::any_of (words.begin(), words.end(),
+                                         [&] (const auto& word) { return trimmed.equalsIgnoreCase (word); });
+                 };
+
+                 if (isOneOf ({ yes, "on", "yes", "true" }))
+                     return true;
+
+                 if (isOneOf ({ no, "off", "no", "false" }))
+                     return false;
+
+                 const auto number = numberIn (text, {});
+                 return number ? std::optional (*number >= 0.5) : std::nullopt;
              } };
 }
 } // namespace antinode

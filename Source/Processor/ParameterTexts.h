@@ -6,27 +6,29 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace antinode
 {
-/** A parameter's value as text, and back: fromText reads what toText returns. */
+/** A parameter's value as text, and back: fromText reads what toText returns, and what a person types (typedNumber);
+   none where that says nothing. */
 struct NumberTexts
 {
     std::function<juce::String (float value, int maximumLength)> toText;
-    std::function<float (const juce::String&)> fromText;
+    std::function<std::optional<float> (const juce::String&)> fromText;
 };
 
 struct IntegerTexts
 {
     std::function<juce::String (int value, int maximumLength)> toText;
-    std::function<int (const juce::String&)> fromText;
+    std::function<std::optional<int> (const juce::String&)> fromText;
 };
 
 struct FlagTexts
 {
     std::function<juce::String (bool value, int maximumLength)> toText;
-    std::function<bool (const juce::String&)> fromText;
+    std::function<std::optional<bool> (const juce::String&)> fromText;
 };
 
 /** Which coordinate of a place on the surface. */

@@ -7,19 +7,12 @@
 
 namespace antinode
 {
-int integerValue (const juce::AudioParameterInt* parameter)
-{
-    const auto range = parameter->getRange();
-    return std::clamp (parameter->get(), range.getStart(), range.getEnd());
-}
-
 double parameterValue (const juce::RangedAudioParameter& parameter)
 {
     if (const auto* const number = dynamic_cast<const NumberParameter*> (&parameter))
         return number->get();
 
-    const auto value = parameter.convertFrom0to1 (parameter.getValue());
-    return static_cast<double> (std::isnan (value) ? parameter.getNormalisableRange().start : value);
+    return static_cast<double> (parameter.convertFrom0to1 (parameter.getValue()));
 }
 
 void setValue (juce::RangedAudioParameter& parameter, double value)
@@ -29,6 +22,9 @@ void setValue (juce::RangedAudioParameter& parameter, double value)
         *number = value;
         return;
     }
+
+    if (! std::isfinite (value))
+        return;
 
     const auto range = parameter.getNormalisableRange();
     const auto allowed = std::clamp (static_cast<float> (value), range.start, range.end);

@@ -8,13 +8,11 @@
 
 namespace antinode
 {
-/** A parameter's value, within its range whatever a host has sent. [any] */
-int integerValue (const juce::AudioParameterInt*);
-
 /** A value in the unit of the parameter's text, to the bit. [any] */
 double parameterValue (const juce::RangedAudioParameter&);
 
-/** Sets what parameterValue gave, to the bit; values beyond the range to its end. Tells the host where it changes. [any
+/** Sets what parameterValue gave, to the bit; values beyond the range to its end, one that is not finite
+   not at all. Tells the host where it changes. [any
     but the audio thread] */
 void setValue (juce::RangedAudioParameter&, double value);
 

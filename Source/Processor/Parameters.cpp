@@ -96,19 +96,17 @@ PlaySettings Parameters::settings() const
     now.xPercent = static_cast<float> (x->get());
     now.yPercent = static_cast<float> (y->get());
     now.widthMillimetres = static_cast<float> (width->get());
-    now.shape = targetShapeWords[static_cast<std::size_t> (integerValue (shape))].second;
+    now.shape = targetShapeWords[static_cast<std::size_t> (shape->get())].second;
     now.peakVelocityMillimetresPerSecond = static_cast<float> (peakVelocity->get());
     now.focusTimeMilliseconds = static_cast<float> (focusTime->get());
     now.growth = static_cast<float> (growth->get());
     now.brake = static_cast<float> (brake->get());
-    now.method = allocationMethodWords[static_cast<std::size_t> (integerValue (method))].second;
+    now.method = allocationMethodWords[static_cast<std::size_t> (method->get())].second;
     now.voltageLimitVolts = static_cast<float> (voltageLimit->get());
-    now.modeCount = integerValue (modes);
+    now.modeCount = modes->get();
     now.probeXPercent = static_cast<float> (probeX->get());
     now.probeYPercent = static_cast<float> (probeY->get());
-    now.noteLayout = static_cast<NoteLayout> (integerValue (notes));
-    now.noteOff = static_cast<NoteOffBehaviour> (integerValue (noteOff));
-    now.retrigger = static_cast<RetriggerBehaviour> (integerValue (retrigger));
+    now.noteLayout = static_cast<NoteLayout> (notes->get());
     now.focusOnNote = *focusOnNote;
     return now;
 }
@@ -119,6 +117,9 @@ PlayControls Parameters::controls() const
     { return juce::Decibels::decibelsToGain (decibels->get(), silentDecibels); };
 
     PlayControls now;
+    now.notes.noteOff = static_cast<NoteOffBehaviour> (noteOff->get());
+    now.notes.retrigger = static_cast<RetriggerBehaviour> (retrigger->get());
+    now.notes.focusOnNote = *focusOnNote;
     now.isArmed = *armed && ! *bypassed;
     now.outputTrim = gain (outputTrim);
     now.monitorGain = gain (monitorGain);

@@ -41,8 +41,8 @@ public:
         thread] */
     void setValues (const std::map<std::string, double>&);
 
-    juce::AudioParameterBool& bypass() const { return *bypassed; }
-    juce::AudioParameterBool& arm() const { return *armed; }
+    SwitchParameter& bypass() const { return *bypassed; }
+    SwitchParameter& arm() const { return *armed; }
 
     /** What the host is to be told of steps that its values lay between. */
     StepReports& stepReports() { return *steps; }

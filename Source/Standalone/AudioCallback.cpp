@@ -7,7 +7,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int longestPart = 1024;          // samples that the processor gets at once
+constexpr int mostSamples = 1024;          // that the processor gets at once
 constexpr std::size_t maximumNotes = 4096; // of one block that there is room for
 constexpr int processorChannels = OutputRouting::maximumCeramics + OutputRouting::monitors;
 
@@ -51,9 +51,10 @@ void AudioCallback::prepare (double sampleRate, int blockSize, const juce::BigIn
     firstInput = openInputs.findNextSetBit (0);
     openChannels = openNumbers (openOutputs, numbers);
     openInputChannels = openNumbers (openInputs, inputNumbers);
+    longestPart = std::clamp (blockSize, 1, mostSamples);
     buffer.setSize (processorChannels, longestPart);
-    processor.setRateAndBufferSizeDetails (sampleRate, std::min (blockSize, longestPart));
-    processor.prepareToPlay (sampleRate, std::min (blockSize, longestPart));
+    processor.setRateAndBufferSizeDetails (sampleRate, longestPart);
+    processor.prepareToPlay (sampleRate, longestPart);
     router.prepare (sampleRate);
     rate = sampleRate;
 }

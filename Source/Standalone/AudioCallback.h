@@ -24,7 +24,7 @@ struct PlayedLevels
 };
 
 /** The callback of an audio device: the processor with all its buses, then the router, on the channels that are open.
-    Blocks of any length. */
+    Blocks of any length: the processor never gets more samples than it was prepared for. */
 class AudioCallback : public juce::AudioIODeviceCallback
 {
 public:
@@ -104,5 +104,6 @@ private:
     std::array<int, OutputRouting::maximumOutputs> inputNumbers {};   ///< As `numbers`.
     std::array<const float*, OutputRouting::maximumOutputs> heard {}; ///< Of each input; null where it is not open.
     int openChannels = 0, openInputChannels = 0;
+    int longestPart = 1; ///< Samples that the processor was prepared for.
 };
 } // namespace antinode

@@ -62,7 +62,7 @@ public:
     /** The voltage of a sample of 1.0, V; 0 before anything plays. [any] */
     virtual double fullScaleVolts() = 0;
 
-    virtual juce::AudioParameterBool& arm() = 0;
+    virtual SwitchParameter& arm() = 0;
 
     /** Ends what plays, as far as it ends by itself, and voids what waits to play. [any but the audio thread] */
     virtual void stopAll() = 0;

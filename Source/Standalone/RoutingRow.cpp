@@ -1,6 +1,7 @@
 #include "RoutingRow.h"
 
 #include <Editor/EditorLook.h>
+#include <antinode_base/TypedNumber.h>
 
 namespace antinode
 {
@@ -25,7 +26,7 @@ RoutingRow::RoutingRow (AudioHost& hostToUse, int ceramicToShow, int outputs)
         host.setRouting (
             withOutput (host.settings().routing, ceramic, chosen == noOutput ? OutputRouting::none : chosen - 1));
     };
-    volts.setInputRestrictions (10, "0123456789.");
+    volts.setInputRestrictions (10, "0123456789.,V ");
     name.setFont (EditorLook::font (EditorLook::smallTextHeight));
     volts.setFont (EditorLook::font (EditorLook::smallTextHeight));
     volts.setJustification (juce::Justification::centredLeft);
@@ -86,8 +87,10 @@ void RoutingRow::changeChain()
         return;
 
     auto routing = host.settings().routing;
-    routing.chains[static_cast<std::size_t> (output())] = { volts.getText().getDoubleValue(),
-                                                            polarity.getToggleState() ? -1 : 1 };
+    auto& chain = routing.chains[static_cast<std::size_t> (output())];
+    const auto text = volts.getText().trim().toStdString();
+    chain = { text.empty() ? 0.0 : typedNumber (text, { "V" }).value_or (chain.voltsPerFullScale),
+              polarity.getToggleState() ? -1 : 1 };
     host.setRouting (routing);
 }
 

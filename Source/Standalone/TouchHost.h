@@ -51,7 +51,7 @@ public:
 
     std::shared_ptr<const ModalModel> model() override { return player.session().snapshot()->model; }
     double fullScaleVolts() override { return player.session().fullScaleVolts(); }
-    juce::AudioParameterBool& arm() override { return player.parameters().arm(); }
+    SwitchParameter& arm() override { return player.parameters().arm(); }
     void stopAll() override { player.stopAll(); }
     LevelMeters& meters() override { return player.session().meters(); }
     juce::String touchStatus() override;

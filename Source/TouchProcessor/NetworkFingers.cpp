@@ -1,5 +1,7 @@
 #include "NetworkFingers.h"
 
+#include <antinode_base/InputError.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -8,6 +10,7 @@ namespace antinode
 namespace
 {
 constexpr double percent = 100;
+constexpr auto retryInterval = std::chrono::seconds (1);
 constexpr std::array loadNames { "", "light", "medium", "firm" }; // of FingerLoad
 
 void set (IntegerParameter& parameter, int value)
@@ -41,13 +44,68 @@ void NetworkFingers::open (const TouchPorts& ports)
     fingers.liftAll();
     triggerAsyncUpdate();
     wantedPorts = ports;
+    listen();
+}
 
-    if (ports.oscPort == 0 && ports.tuioPort == 0)
+/** Under the lock. Who closes a port does not tell those who were refused it. */
+void NetworkFingers::listen()
+{
+    isRefused = false;
+    refusal.clear();
+    lastTry = std::chrono::steady_clock::now();
+
+    if (receiver != nullptr || (wantedPorts.oscPort == 0 && wantedPorts.tuioPort == 0))
         return;
 
     TouchOptions options;
     options.cursorsRest = true;
-    receiver = std::make_unique<TouchReceiver> (ports, options, [this] (const Touch& touch) { take (touch); });
+
+    try
+    {
+        receiver =
+            std::make_unique<TouchReceiver> (wantedPorts, options, [this] (const Touch& touch) { take (touch); });
+    }
+    catch (const InputError& failure)
+    {
+        refusal = failure.what();
+        isRefused = true;
+        throw;
+    }
+}
+
+void NetworkFingers::retry()
+{
+    const std::lock_guard lock (mutex);
+
+    try
+    {
+        listen();
+    }
+    catch (const InputError&)
+    {
+        // It is in failure().
+    }
+}
+
+bool NetworkFingers::retryWhenDue()
+{
+    if (! isRefused)
+        return false;
+
+    {
+        const std::lock_guard lock (mutex);
+
+        if (std::chrono::steady_clock::now() - lastTry < retryInterval)
+            return false;
+    }
+    retry();
+    return ! isRefused;
+}
+
+std::string NetworkFingers::failure() const
+{
+    const std::lock_guard lock (mutex);
+    return refusal;
 }
 
 TouchPorts NetworkFingers::wanted() const

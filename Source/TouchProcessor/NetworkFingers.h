@@ -7,6 +7,8 @@
 
 #include <juce_events/juce_events.h>
 
+#include <atomic>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -26,8 +28,18 @@ public:
 
     /** Lifts all touches, closes the ports that are open and opens these; `finger` is what fingers that are put down
         are to the surface, empty: what their parameter says.
-        @throws InputError  as TouchReceiver; then none is open [any but the audio thread] */
+        @throws InputError  as TouchReceiver; then none is open, and they are tried again each second
+        [any but the audio thread] */
     void open (const TouchPorts&);
+
+    /** Tries again to open what is wanted and was refused. [any but the audio thread] */
+    void retry();
+
+    /** The same, where the last time was a second ago. @return  whether it is open now [any but the audio thread] */
+    bool retryWhenDue();
+
+    /** Why what is wanted is not open, in one sentence; empty where it is. [any but the audio thread] */
+    std::string failure() const;
 
     /** What was asked for; 0 where a port is off. [any but the audio thread] */
     TouchPorts wanted() const;
@@ -48,6 +60,7 @@ public:
 
 private:
     void handleAsyncUpdate() override { apply(); }
+    void listen();
     void apply (const FingerMove&);
 
     TouchParameters& parameters;
@@ -56,6 +69,9 @@ private:
     TouchedFingers fingers;
     mutable std::mutex mutex; ///< For the next lines.
     TouchPorts wantedPorts { 0, 0, "127.0.0.1" };
-    std::unique_ptr<TouchReceiver> receiver;
+    std::unique_ptr<TouchReceiver> receiver; ///< None: nothing is wanted, or it was refused.
+    std::string refusal;
+    std::atomic<bool> isRefused { false };
+    std::chrono::steady_clock::time_point lastTry;
 };
 } // namespace antinode

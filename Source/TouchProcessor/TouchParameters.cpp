@@ -67,10 +67,10 @@ TouchSettings TouchParameters::settings() const
 
     for (std::size_t k = 0; k < fingers.size(); ++k)
         now.fingers[k] = { static_cast<float> (fingers[k].x->get()), static_cast<float> (fingers[k].y->get()),
-                           static_cast<FingerPresence> (integerValue (fingers[k].presence)),
-                           static_cast<FingerLoad> (integerValue (fingers[k].load)) };
+                           static_cast<FingerPresence> (fingers[k].presence->get()),
+                           static_cast<FingerLoad> (fingers[k].load->get()) };
 
-    now.latency = static_cast<std::size_t> (integerValue (chosenLatency));
+    now.latency = static_cast<std::size_t> (chosenLatency->get());
     return now;
 }
 
@@ -81,11 +81,11 @@ TouchControls TouchParameters::controls() const
     const auto factor = decibels <= quietest ? 0.0 : std::pow (10, decibels / 20);
 
     for (std::size_t k = 0; k < fingers.size(); ++k)
-        if (static_cast<FingerPresence> (integerValue (fingers[k].presence)) == FingerPresence::plays)
+        if (static_cast<FingerPresence> (fingers[k].presence->get()) == FingerPresence::plays)
             now.levels[k] = std::min (FilterNode::largestLevel, fingers[k].level->get() * metresPerMicrometre * factor);
 
     now.focusGain = std::min (1.0, factor);
-    now.latency = static_cast<std::size_t> (integerValue (chosenLatency));
+    now.latency = static_cast<std::size_t> (chosenLatency->get());
     now.isArmed = *armed && ! *bypassed;
     return now;
 }

@@ -48,8 +48,8 @@ public:
     const FingerParameters& finger (std::size_t index) const { return fingers[index]; }
     IntegerParameter& latency() const { return *chosenLatency; }
     NumberParameter& gain() const { return *outputGain; }
-    juce::AudioParameterBool& arm() const { return *armed; }
-    juce::AudioParameterBool& bypass() const { return *bypassed; }
+    SwitchParameter& arm() const { return *armed; }
+    SwitchParameter& bypass() const { return *bypassed; }
 
     /** What the host is to be told of steps that its values lay between. */
     StepReports& stepReports() { return *steps; }

@@ -37,17 +37,23 @@ TouchProcessor::TouchProcessor (int ceramics, WrapperType wrapper)
 {
     controls = std::make_unique<TouchParameters> (*this, [this]
                                                   { return player != nullptr ? player->snapshot()->model : nullptr; });
-    player = std::make_unique<TouchSession> (
-        *device(), [this] { return readSettings(); }, [this] { post(); });
+
+    if (wrapper == wrapperType_VST3)
+        addStop();
+
     touches = std::make_unique<NetworkFingers> (
         *controls, [this] { return inputs(); }, [this] { player->stopAll(); });
+    player = std::make_unique<TouchSession> (
+        *device(), [this] { return readSettings(); }, [this] { post(); });
     begin();
 }
 
 TouchProcessor::~TouchProcessor()
 {
-    touches.reset();
+    touches->open ({ 0, 0, "127.0.0.1" }); // No touch stops a player that is gone.
     end();
+    player.reset(); // It looks at touches.
+    touches.reset();
 }
 
 void TouchProcessor::take (std::shared_ptr<const DeviceDocument> device)
@@ -84,14 +90,38 @@ void TouchProcessor::setValues (const std::map<std::string, double>& wanted, con
     if (device.description.requiresArming)
         values["arm"] = 0;
 
+    // Fingers that touch stay where they are.
+    const auto now = controls->values();
+
+    for (const auto& key : touchedKeys ({ "x", "y", "state", "load" }))
+        values[key] = now.at (key);
+
     controls->setValues (values);
     openPorts (wanted);
 }
 
+/** The identifiers of these parameters of all fingers that touches are. */
+std::vector<std::string> TouchProcessor::touchedKeys (std::initializer_list<const char*> names) const
+{
+    std::vector<std::string> keys;
+    const auto touched = touches->touches().touched();
+
+    for (std::size_t k = 0; k < touched.size(); ++k)
+        if (touched[k])
+            for (const auto* const name : names)
+                keys.push_back ("finger" + std::to_string (k + 1) + "_" + name);
+
+    return keys;
+}
+
+/** Without touches: nobody would lift them where the state comes back. */
 std::map<std::string, double> TouchProcessor::values() const
 {
     auto values = controls->values();
     const auto ports = touches->wanted();
+
+    for (const auto& key : touchedKeys ({ "state" }))
+        values[key] = static_cast<double> (FingerPresence::absent);
 
     if (ports.oscPort != 0 || ports.tuioPort != 0)
         values.insert ({ { oscKey, ports.oscPort },
@@ -101,7 +131,8 @@ std::map<std::string, double> TouchProcessor::values() const
     return values;
 }
 
-/** Those of a state. Ports that are open already stay open: fingers that touch do not leave. */
+/** Those of a state. Ports that are open already stay open: fingers that touch do not leave. Those that were refused
+   are tried again. */
 void TouchProcessor::openPorts (const std::map<std::string, double>& values)
 {
     const TouchPorts ports { portFrom (valueOf (values, oscKey)), portFrom (valueOf (values, tuioKey)),
@@ -109,33 +140,22 @@ void TouchProcessor::openPorts (const std::map<std::string, double>& values)
     const auto now = touches->wanted();
 
     if (ports.oscPort == now.oscPort && ports.tuioPort == now.tuioPort && ports.address == now.address)
-        return;
+        return touches->retry();
 
     try
     {
-        setPortWarning ({});
         touches->open (ports);
     }
-    catch (const InputError& failure)
+    catch (const InputError&)
     {
-        setPortWarning (juce::String::fromUTF8 (failure.what()));
+        // It is in our warning.
     }
-}
-
-void TouchProcessor::setPortWarning (const juce::String& text)
-{
-    const juce::ScopedLock lock (portWarnings);
-    portWarning = text;
 }
 
 juce::String TouchProcessor::ownWarning()
 {
-    {
-        const juce::ScopedLock lock (portWarnings);
-
-        if (portWarning.isNotEmpty())
-            return portWarning;
-    }
+    if (const auto failure = touches->failure(); ! failure.empty())
+        return juce::String::fromUTF8 (failure.c_str());
 
     const auto now = player->snapshot();
     const auto channels = getChannelCountOfBus (false, 0);
@@ -194,7 +214,7 @@ TouchSettings TouchProcessor::readSettings()
     const auto now = controls->settings();
     const auto isLatencyNew = lookedLatency.exchange (now.latency) != now.latency;
 
-    if (isLatencyNew || controls->stepReports().isWaiting())
+    if (touches->retryWhenDue() || isLatencyNew || controls->stepReports().isWaiting())
         post();
 
     return now;

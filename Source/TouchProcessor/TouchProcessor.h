@@ -11,8 +11,11 @@
 #include <array>
 #include <atomic>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace antinode
 {
@@ -58,7 +61,7 @@ public:
 
     const juce::String getName() const override { return "Antinode Touch"; }
     juce::AudioProcessorParameter* getBypassParameter() const override { return &controls->bypass(); }
-    double getTailLengthSeconds() const override { return player->tailSeconds(); }
+    double getTailLengthSeconds() const override { return player->tailSeconds (controls->settings().latency); }
     void reset() override { player->stopAll(); }
     bool acceptsMidi() const override { return true; }
     juce::AudioProcessorEditor* createEditor() override { return makeEditor ? makeEditor (*this) : nullptr; }
@@ -84,15 +87,13 @@ private:
     void playFingers (const EffectBlock<Sample>&);
     TouchSettings readSettings();
     void openPorts (const std::map<std::string, double>& values);
-    void setPortWarning (const juce::String&);
+    std::vector<std::string> touchedKeys (std::initializer_list<const char*> names) const;
 
     std::unique_ptr<TouchParameters> controls;
     std::unique_ptr<NetworkFingers> touches;
     std::unique_ptr<TouchSession> player;
     MidiTriggers triggers { VelocityCurve {} };
-    std::span<const FocusEvent> notes;  ///< Of the block that plays; of the audio thread.
-    juce::CriticalSection portWarnings; ///< For the next line.
-    juce::String portWarning;
+    std::span<const FocusEvent> notes;            ///< Of the block that plays; of the audio thread.
     std::atomic<std::size_t> lookedLatency { 0 }; ///< What the session saw last.
 };
 } // namespace antinode

@@ -99,6 +99,21 @@ std::vector<FingerMove> TouchedFingers::takeMoves (const std::array<bool, mostFi
     return moves;
 }
 
+std::array<bool, mostFingers> TouchedFingers::touched() const
+{
+    const std::lock_guard lock (mutex);
+    std::array<bool, mostFingers> fingers {};
+
+    for (const auto finger : lifted)
+        fingers[finger] = true;
+
+    for (const auto& each : touches)
+        if (each.finger)
+            fingers[*each.finger] = true;
+
+    return fingers;
+}
+
 std::size_t TouchedFingers::resting() const
 {
     const std::lock_guard lock (mutex);

@@ -47,6 +47,9 @@ public:
         bound to one: nobody uses them, and they have inputs [message thread] */
     std::vector<FingerMove> takeMoves (const std::array<bool, mostFingers>& isFree);
 
+    /** Which fingers are touches', also of those that have just left. [any but the audio thread] */
+    std::array<bool, mostFingers> touched() const;
+
     /** Touches that are fingers, and those that wait for one. [any but the audio thread] */
     std::size_t resting() const;
     std::size_t waiting() const;

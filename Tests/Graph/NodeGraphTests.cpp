@@ -184,6 +184,45 @@ TEST_CASE ("The same nodes in a juce::AudioProcessorGraph give the same samples"
     CHECK ((0.8 * result - expected).cwiseAbs().maxCoeff() <= 1e-14 * expected.cwiseAbs().maxCoeff());
 }
 
+TEST_CASE ("A node as a processor gets no more samples than it was prepared for", "[graph]")
+{
+    const auto program = exampleProgram();
+    const auto playedIn = [&] (int prepared)
+    {
+        auto node = std::make_unique<PlayerNode> (ceramics, PlayerSettings {});
+        auto& player = *node;
+        NodeProcessor processor (std::move (node), VelocityCurve { 1, 0 });
+        processor.prepareToPlay (rate, prepared);
+        giveBank (player, program);
+        juce::AudioBuffer<double> buffer (ceramics, length);
+        juce::MidiBuffer notes;
+        notes.addEvent (juce::MidiMessage::noteOn (1, 60, static_cast<juce::uint8> (127)), 100);
+        processor.processBlock (buffer, notes);
+        Eigen::MatrixXd played (length, ceramics);
+
+        for (int i = 0; i < ceramics; ++i)
+            std::copy_n (buffer.getReadPointer (i), length, played.col (i).data());
+
+        return played;
+    };
+    const auto whole = playedIn (length);
+    CHECK (whole.cwiseAbs().maxCoeff() > 0);
+    CHECK (playedIn (64) == whole);
+
+    NodeProcessor gain (std::make_unique<GainNode>());
+    gain.prepareToPlay (rate, 16);
+    juce::AudioBuffer<float> buffer (ceramics, 100);
+    juce::MidiBuffer none;
+
+    for (int i = 0; i < ceramics; ++i)
+        std::fill_n (buffer.getWritePointer (i), 100, 1.0F);
+
+    gain.processBlock (buffer, none);
+
+    for (int i = 0; i < ceramics; ++i)
+        CHECK (buffer.findMinMax (i, 0, 100) == juce::Range<float> (i + 1.0F, i + 1.0F));
+}
+
 TEST_CASE ("Notes become events to the sample", "[graph]")
 {
     MidiTriggers triggers ({ 2, 0 });

@@ -85,15 +85,18 @@ struct HostedEffect
     juce::AudioPluginInstance& operator*() const { return *instance; }
 
     /** Inputs on the wires, one a row. @return  outputs, one a row, as many samples */
-    Eigen::MatrixXd play (const Eigen::MatrixXd& inputs)
+    Eigen::MatrixXd play (const Eigen::MatrixXd& inputs) { return play (inputs, block); }
+
+    /** The same in blocks of a length, also of one that it was not prepared for. */
+    Eigen::MatrixXd play (const Eigen::MatrixXd& inputs, int length)
     {
         const auto in = wires (true), out = wires (false);
         Eigen::MatrixXd played (static_cast<Eigen::Index> (out.size()), inputs.cols());
         juce::MidiBuffer midi;
 
-        for (int start = 0; start < inputs.cols(); start += block)
+        for (int start = 0; start < inputs.cols(); start += length)
         {
-            const auto count = std::min (block, static_cast<int> (inputs.cols()) - start);
+            const auto count = std::min (length, static_cast<int> (inputs.cols()) - start);
             juce::AudioBuffer<float> buffer (
                 std::max (instance->getTotalNumInputChannels(), instance->getTotalNumOutputChannels()), count);
             buffer.clear();

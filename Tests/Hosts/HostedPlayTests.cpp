@@ -155,6 +155,27 @@ TEST_CASE ("A hosted plug-in that is bypassed gives 0 V, and plays on afterwards
     CHECK (play (*instance, plugin, 4096, 512, 0).topRows (8).cwiseAbs().maxCoeff() > 0.05);
 }
 
+TEST_CASE ("All sound off and all notes off fade out what plays, in every format", "[hosted]")
+{
+    const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 8 }, BuiltPlugin { PluginKind::lv2, 8 });
+    const auto controller = GENERATE (120, 123);
+    CAPTURE (pluginName (plugin), controller);
+    const auto instance = hostedOffline (plugin);
+    const auto whole = play (*instance, plugin, 4096, 512, 0);
+    CHECK (whole.topRows (8).rightCols (4096 - 1024).cwiseAbs().maxCoeff() > 0.01);
+    const auto stopped = play (*instance, plugin, 4096, 512,
+                               [&] (int start, juce::MidiBuffer& midi)
+                               {
+                                   if (start == 0)
+                                       midi.addEvent (juce::MidiMessage::noteOn (1, 60, juce::uint8 (127)), 0);
+
+                                   if (start == 512)
+                                       midi.addEvent (juce::MidiMessage::controllerEvent (1, controller, 0), 0);
+                               });
+    CHECK (stopped.topRows (8).leftCols (512) == whole.topRows (8).leftCols (512));
+    CHECK (stopped.topRows (8).rightCols (4096 - 1024).isZero (0));
+}
+
 TEST_CASE ("Making a hosted instance takes so long", "[hosted]")
 {
     for (const auto& plugin : builtPair())

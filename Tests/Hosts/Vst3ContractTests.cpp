@@ -173,7 +173,8 @@ TEST_CASE ("Parameters have identifiers, titles and units of their own, and one 
         CHECK (info.stepCount >= 0);
         CHECK (info.defaultNormalizedValue >= 0);
         CHECK (info.defaultNormalizedValue <= 1);
-        CHECK (((info.flags & Vst::ParameterInfo::kCanAutomate) != 0) == (wide (info.title) != u"Arm"));
+        CHECK (((info.flags & Vst::ParameterInfo::kCanAutomate) != 0)
+               == (wide (info.title) != u"Arm" && wide (info.title) != u"Stop"));
 
         if ((info.flags & Vst::ParameterInfo::kIsBypass) != 0)
         {
@@ -197,6 +198,7 @@ TEST_CASE ("Hosts are told which parameters have steps, and how many", "[vst3]")
                                                   { u"Retrigger", 1 },
                                                   { u"Focus on the note", 1 },
                                                   { u"Arm", 1 },
+                                                  { u"Stop", 1 },
                                                   { u"Bypass", 1 } };
 
     RawVst3 plugin;

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <limits>
 #include <thread>
 
 // What Steinberg's validator asks of a VST3 while it plays, and what hosts do beyond that.
@@ -75,6 +76,135 @@ TEST_CASE ("Buses other than those that were agreed get silence, or with JUCE 8 
     plugin.processor->process (mainOnly.data);
     CHECK (mainOnly.samples.allFinite());
     CHECK (plugin.isPlaying());
+}
+
+TEST_CASE ("Blocks longer than the host has announced are played in parts, the same samples", "[vst3]")
+{
+    const auto isDouble = GENERATE (false, true);
+    RawVst3 plugin (GENERATE (2, 29, 64));
+    constexpr int note = 1500, length = 8192;
+    plugin.activate ({ 48000, length, true, isDouble });
+    const Eigen::MatrixXd expected = plugin.play (length, length, note);
+    REQUIRE (expected.topRows (2).cwiseAbs().maxCoeff() > 1e-3);
+    plugin.deactivate();
+
+    for (const auto announced : { 64, 1000, 0, -1 })
+    {
+        CAPTURE (announced);
+        plugin.activate ({ 48000, announced, true, isDouble });
+        CHECK (plugin.play (length, length, note) == expected);
+        CHECK (plugin.processor->getTailSamples() > 0);
+        plugin.deactivate();
+    }
+}
+
+TEST_CASE ("Of a block that is played in parts no parameter and no event outside is lost", "[vst3]")
+{
+    RawVst3 plugin (8);
+    const auto trim = plugin.parameter (u"Output trim");
+    plugin.activate ({ 48000, 64, true, false });
+    const auto playLate = [&] (int offset)
+    {
+        return plugin.play (2048, 2048,
+                            [&] (Vst3Block& block)
+                            {
+                                block.events.events.push_back (noteOn (offset, 60));
+                                block.changes.add (trim, 2000, 1);
+                            });
+    };
+    const Eigen::MatrixXd first = playLate (-5);
+    plugin.deactivate();
+    plugin.activate ({ 48000, 64, true, false });
+    CHECK (playLate (0) == first);
+    CHECK (first.topRows (2).cwiseAbs().maxCoeff() > 1e-3);
+    CHECK (plugin.state().find ("\"output_trim\":0.0") != std::string::npos);
+    CHECK (playLate (9999).col (2047).allFinite());
+    CHECK (plugin.play (1024, 1024, -1).topRows (2).cwiseAbs().maxCoeff() > 1e-3);
+
+    BareBlock many (512, { 400, 400 });
+    CHECK (plugin.processor->process (many.data) != kResultTrue);
+    CHECK (plugin.isPlaying());
+}
+
+TEST_CASE ("All sound off and all notes off reach the parameter that stops all foci, at their sample", "[vst3]")
+{
+    const auto announced = GENERATE (64, 4096);
+    RawVst3 plugin (8);
+    void* found = nullptr;
+    REQUIRE (plugin.controller->queryInterface (Vst::IMidiMapping::iid, &found) == Steinberg::kResultOk);
+    auto* const mapping = static_cast<Vst::IMidiMapping*> (found);
+    const auto stop = plugin.parameter (u"Stop");
+
+    for (const Steinberg::int16 channel : { 0, 7, 15 })
+        for (const Vst::CtrlNumber controller : { 120, 123 })
+        {
+            Vst::ParamID assigned = 0;
+            CHECK (mapping->getMidiControllerAssignment (0, channel, controller, assigned) == kResultTrue);
+            CHECK (assigned == stop);
+        }
+
+    Vst::ParamID none = 0;
+    CHECK (mapping->getMidiControllerAssignment (0, 0, 7, none) != kResultTrue);
+    CHECK (mapping->getMidiControllerAssignment (1, 0, 123, none) != kResultTrue);
+    mapping->release();
+
+    plugin.activate ({ 48000, announced, true, false });
+    constexpr int stopAt = 700, fade = 96;
+    const auto playStopped = [&] (double value)
+    {
+        return plugin.play (4096, 4096,
+                            [&] (Vst3Block& block)
+                            {
+                                block.events.events.push_back (noteOn (0, 60));
+                                block.changes.add (stop, stopAt, value);
+                            });
+    };
+    const Eigen::MatrixXd whole = plugin.play (4096, 4096, 0).topRows (8);
+
+    for (const auto value : { 0.0, 1.0, 1.0, 0.0 })
+    {
+        const Eigen::MatrixXd stopped = playStopped (value).topRows (8);
+        CHECK (stopped.leftCols (stopAt) == whole.leftCols (stopAt));
+        CHECK (stopped.middleCols (stopAt, 32).cwiseAbs().maxCoeff() > 0);
+        CHECK (stopped.rightCols (4096 - stopAt - fade - 1).isZero (0));
+    }
+}
+
+TEST_CASE ("A controller that is set to what is no number keeps its value", "[vst3]")
+{
+    RawVst3 plugin (8);
+    plugin.activate ({ 48000, 512, true, false });
+    const auto state = plugin.state();
+
+    for (const auto& info : plugin.parameters())
+    {
+        const auto before = plugin.controller->getParamNormalized (info.id);
+
+        for (const auto value : { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                                  -std::numeric_limits<double>::infinity() })
+        {
+            plugin.controller->setParamNormalized (info.id, value);
+            CHECK (plugin.controller->getParamNormalized (info.id) == before);
+            BareBlock block (64, { 8, 2 });
+            block.changes.add (info.id, 0, value);
+            CHECK (plugin.processor->process (block.data) == kResultTrue);
+            CHECK (block.samples.leftCols (10).allFinite());
+        }
+    }
+
+    CHECK (plugin.state() == state);
+}
+
+TEST_CASE ("A VST3's tail is that of its parameters as soon as they are set", "[vst3]")
+{
+    RawVst3 plugin (8);
+    plugin.activate ({ 48000, 512, true, false });
+    plugin.play (512, 512, -1);
+    const auto before = plugin.processor->getTailSamples();
+    CHECK (before > 1200); // The focus of the file, 25 ms, and what rings.
+    const auto focusTime = plugin.parameter (u"Focus time");
+    plugin.play (512, 512, [&] (Vst3Block& block) { block.changes.add (focusTime, 0, 1); });
+    CHECK (plugin.processor->getTailSamples() >= before + 48 * 475); // 500 ms
 }
 
 TEST_CASE ("A block without samples or without buses takes parameters all the same", "[vst3]")

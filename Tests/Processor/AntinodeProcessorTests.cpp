@@ -1,13 +1,17 @@
 #include "PlayedProcessor.h"
 
+#include <Processor/ParameterValues.h>
+#include <Support/JuceMessages.h>
 #include <antinode_focus/Prediction.h>
 #include <antinode_library/Library.h>
 #include <nlohmann/json.hpp>
 
 #include <catch2/catch.hpp>
 
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 using namespace antinode;
 
@@ -163,6 +167,139 @@ TEST_CASE ("After a restored state has been prepared the first note plays", "[pl
     processor->prepareToPlay (rate, 512);
     const auto rendered = test::renderedDemonstrator (*processor->session().snapshot()->model, rate, length);
     CHECK ((test::play (*processor, length, 512, 0).topRows (8) - rendered).cwiseAbs().maxCoeff() < 1e-7);
+}
+
+TEST_CASE ("What notes do may change in the block of a note, and while one plays: none is lost or cut", "[plugin]")
+{
+    const auto* const identifier = GENERATE ("retrigger", "note_off", "focus_on_note");
+    const auto changedIn = GENERATE (0, 1);
+    CAPTURE (identifier, changedIn);
+    const auto processor = test::offlineProcessor (8, rate, 512);
+    const auto change = [&] (int block)
+    {
+        if (block == changedIn)
+            processor->parameters().find (identifier)->setValueNotifyingHost (1);
+    };
+    const auto played = test::play (*processor, length, 512, 100, 60, 127, change);
+    const auto rendered = test::renderedDemonstrator (*processor->session().snapshot()->model, rate, length - 100);
+    CHECK ((ceramicRows (played, 8).rightCols (length - 100) - rendered).cwiseAbs().maxCoeff() < 1e-7);
+}
+
+TEST_CASE ("The tail is that of the parameters: behind it all voltages are 0 and the surface has decayed by 60 dB",
+           "[plugin]")
+{
+    struct Settings
+    {
+        double focusTime, brake;
+        bool isOnNote;
+    };
+    const auto [focusTime, brake, isOnNote] = GENERATE (Settings { 25, 0, false }, Settings { 400, 0, false },
+                                                        Settings { 400, 0, true }, Settings { 60, 5, false });
+    CAPTURE (focusTime, brake, isOnNote);
+    const auto processor = test::offlineProcessor (8, rate, 512);
+    auto& parameters = processor->parameters();
+    setValue (*parameters.find ("focus_time"), focusTime);
+    setValue (*parameters.find ("brake"), brake);
+    setValue (*parameters.find ("focus_on_note"), isOnNote ? 1 : 0);
+    const auto ringing = std::log (1000) / decayRates (*processor->session().snapshot()->model).minCoeff();
+    CHECK (processor->getTailLengthSeconds() >= focusTime / 1000 + ringing); // At once.
+    test::play (*processor, 512, 512, -1);
+    const auto tail = processor->getTailLengthSeconds();
+    CHECK (tail < focusTime / 1000 + 0.1 + ringing);
+    const auto samples = static_cast<int> (std::ceil (tail * rate));
+    const auto played = test::play (*processor, samples + 4800, 512, 0);
+    CHECK (played.topRows (8).rightCols (4800).isZero (0));
+    CHECK (played.row (8).leftCols (samples).cwiseAbs().maxCoeff() > 1e-3);
+    CHECK (played.row (8).rightCols (4800).cwiseAbs().maxCoeff()
+           < 1e-3 * played.row (8).leftCols (samples).cwiseAbs().maxCoeff());
+}
+
+TEST_CASE ("A host is told of another tail", "[plugin]")
+{
+    struct Listener : juce::AudioProcessorListener
+    {
+        void audioProcessorParameterChanged (juce::AudioProcessor*, int, float) override {}
+        void audioProcessorChanged (juce::AudioProcessor* processor, const ChangeDetails& details) override
+        {
+            if (details.latencyChanged)
+                tail = processor->getTailLengthSeconds();
+        }
+
+        double tail = 0;
+    };
+    Listener listener;
+    const auto processor = test::offlineProcessor (8, rate, 512);
+    processor->addListener (&listener);
+    setValue (*processor->parameters().find ("focus_time"), 300);
+    processor->session().waitUntilSettled();
+
+    for (int i = 0; i < 5000 && listener.tail < 0.3; ++i)
+        if (! test::answerNextMessage())
+            std::this_thread::sleep_for (std::chrono::milliseconds (1));
+
+    CHECK (listener.tail > 0.3);
+    processor->removeListener (&listener);
+}
+
+TEST_CASE ("What is typed is read with a decimal comma, and changes nothing where it says nothing", "[plugin]")
+{
+    const auto processor = test::offlineProcessor (8, rate, 512);
+    const auto typed = [&] (const char* identifier, const char* text)
+    {
+        auto& parameter = *processor->parameters().find (identifier);
+        return static_cast<double> (parameter.convertFrom0to1 (parameter.getValueForText (text)));
+    };
+    CHECK (typed ("output_trim", "-0,5") == Approx (-0.5).margin (1e-5));
+    CHECK (typed ("output_trim", "\xE2\x88\x92"
+                                 "0.5 dB")
+           == Approx (-0.5).margin (1e-5));
+    CHECK (typed ("width", "12,5 MM") == Approx (12.5).epsilon (1e-5));
+    CHECK (typed ("width", "+12.5") == Approx (12.5).epsilon (1e-5));
+    CHECK (typed ("voltage_limit", "as the focus says") == 0);
+    CHECK (typed ("x", "50 %") == Approx (50).epsilon (1e-5));
+    CHECK (typed ("x", "0,0 mm") == Approx (50).epsilon (1e-5));
+    CHECK (typed ("modes", "12") == 12);
+    CHECK (typed ("modes", "Chosen") == 0);
+    CHECK (typed ("retrigger", "Restarts") == 1);
+    CHECK (typed ("focus_on_note", "yes") == 1);
+    setValue (*processor->parameters().find ("width"), 33);
+    setValue (*processor->parameters().find ("modes"), 7);
+    setValue (*processor->parameters().find ("note_off"), 2);
+    setValue (*processor->parameters().find ("focus_on_note"), 1);
+
+    for (const auto* const text :
+         { "12 kg", "12 mm x", "1.000,5", "1,2,3", "twelve", "", "nan", "inf", "1e999", "--1", "12m m" })
+    {
+        CAPTURE (text);
+        CHECK (typed ("width", text) == Approx (33).epsilon (1e-5));
+        CHECK (typed ("focus_on_note", text) == 1);
+
+        for (const auto& [identifier, value] : { std::pair ("modes", 7), std::pair ("note_off", 2) })
+            CHECK (typed (identifier, text) == value);
+    }
+
+    CHECK (typed ("modes", "7.5") == 7);
+}
+
+TEST_CASE ("A parameter that is set to what is no number keeps its value", "[plugin]")
+{
+    const auto processor = test::offlineProcessor (8, rate, 512);
+
+    for (auto* const parameter : processor->parameters().all())
+    {
+        const auto name = parameter->getParameterID().toStdString();
+        CAPTURE (name);
+        const auto before = parameterValue (*parameter);
+
+        for (const auto share : { std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
+                                  -std::numeric_limits<float>::infinity() })
+        {
+            parameter->setValueNotifyingHost (share);
+            CHECK (parameterValue (*parameter) == before);
+            setValue (*parameter, static_cast<double> (share));
+            CHECK (parameterValue (*parameter) == before);
+        }
+    }
 }
 
 TEST_CASE ("A broken state changes nothing and says so", "[plugin]")

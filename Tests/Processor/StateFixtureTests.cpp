@@ -28,7 +28,7 @@ TEST_CASE ("States of earlier versions load", "[plugin]")
     CHECK (processor->focus()->description.name == "aluminium-centre");
     CHECK (processor->parameters().settings().xPercent == 37.5F);
     CHECK (processor->parameters().settings().widthMillimetres == Approx (18.25));
-    CHECK (processor->parameters().settings().noteOff == NoteOffBehaviour::brake);
+    CHECK (processor->parameters().controls().notes.noteOff == NoteOffBehaviour::brake);
     CHECK_FALSE (processor->parameters().arm().get());
     CHECK (processor->mutes() == 0b10010);
 }

@@ -150,6 +150,52 @@ TEST_CASE ("Another device ramps the old voltages to 0 before its own begin", "[
     CHECK (next.topRows (6).cwiseAbs().maxCoeff() > 0.001);
 }
 
+TEST_CASE ("Notes wait while another path takes over, and play as they would have", "[session]")
+{
+    test::PlayedSession played, changed;
+    played.prepare (rate);
+    changed.prepare (rate);
+    const auto expected = played.play (2400, { spotPlayed });
+    changed.session.setGraphOpen (true);
+    const std::array events { spotPlayed };
+    changed.session.waitUntilSettled (events);
+    const auto waited = changed.play (4800, { spotPlayed });
+    Eigen::Index first = 0;
+
+    while (first < 2400 && waited.col (first).head (8).isZero (0))
+        ++first;
+
+    Eigen::Index begin = 0;
+
+    while (expected.col (begin).head (8).isZero (0))
+        ++begin;
+
+    const auto late = first - begin; // The ramp, in blocks of 64 samples.
+    CHECK (late >= 480);
+    CHECK (late <= 480 + 3 * 64);
+    CHECK (late % 64 == 0);
+    CHECK ((waited.middleCols (late, 2400) - expected).topRows (8).cwiseAbs().maxCoeff()
+           < 1e-6 * expected.topRows (8).cwiseAbs().maxCoeff());
+}
+
+TEST_CASE ("What notes do changes at once, without another path", "[session]")
+{
+    test::PlayedSession played;
+    played.prepare (rate);
+    const auto overlapping = played.play (4800, { spotPlayed, spotPlayed });
+    PlayControls controls;
+    controls.notes.retrigger = RetriggerBehaviour::restart;
+    const auto restarted = played.play (4800, { spotPlayed, spotPlayed }, controls);
+    CHECK (restarted.topRows (8).cwiseAbs().maxCoeff()
+           == Approx (overlapping.topRows (8).cwiseAbs().maxCoeff() / 2).epsilon (1e-6));
+    controls.notes.noteOff = NoteOffBehaviour::fade;
+    const auto faded =
+        played.play (4800, { spotPlayed, { 10, FocusEventKind::release, Session::spotNote, 0 } }, controls);
+    CHECK (faded.topRows (8).rightCols (4800 - 10 - 96).isZero (0));
+    CHECK (played.play (4800, { spotPlayed }).topRows (8).cwiseAbs().maxCoeff()
+           == Approx (restarted.topRows (8).cwiseAbs().maxCoeff()).epsilon (1e-6));
+}
+
 TEST_CASE ("A device that cannot be solved leaves the old one playing, and says why", "[session]")
 {
     test::PlayedSession played;

@@ -31,10 +31,12 @@ struct ListeningProcessor : AntinodeProcessor
     {
         const auto* const samples = buffer.getReadPointer (0);
         heard.insert (heard.end(), samples, samples + buffer.getNumSamples());
+        isBeyondPrepared = isBeyondPrepared || buffer.getNumSamples() > getBlockSize();
         AntinodeProcessor::processBlock (buffer, midi);
     }
 
     std::vector<float> heard;
+    bool isBeyondPrepared = false;
 };
 
 /** The program's audio without a device. */
@@ -244,6 +246,7 @@ TEST_CASE ("the first open input is what the sensor hears, whatever the blocks, 
     const std::array<const float*, 2> sources { heard.data(), other.data() };
     callback.audioDeviceIOCallbackWithContext (sources.data(), 2, channels.data(), 8, 3000, {});
     CHECK (processor.heard == heard);
+    CHECK_FALSE (processor.isBeyondPrepared);
     CHECK (std::all_of (played.begin(), played.end(), isSilent));
 
     processor.heard.clear();

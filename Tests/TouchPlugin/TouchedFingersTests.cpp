@@ -199,6 +199,29 @@ TEST_CASE ("Touches that leap a thousand times a second leave voltages within th
     CHECK (processor->warning().isEmpty());
 }
 
+TEST_CASE ("States are kept without touches, and lift none where they come back", "[touch]")
+{
+    const auto processor = offlineTouch (8, 48000, 256, {}), other = offlineTouch (8, 48000, 256, {});
+    processor->network().take (resting (cursor, 0.7, 0.6));
+    processor->network().take (resting (1, 0.2, 0.2)); // It plays without touches, too.
+    processor->network().apply();
+    REQUIRE (presence (*processor, 1) == FingerPresence::plays);
+    const auto state = processor->state();
+    CHECK (state.parameters.at ("finger2_state") == 0);
+    CHECK (state.parameters.at ("finger1_state") == 0); // A touch that leaves lifts its finger.
+    other->setState (state);
+    CHECK (presence (*other, 0) == FingerPresence::absent);
+    CHECK (presence (*other, 1) == FingerPresence::absent);
+    processor->setState (state);
+    CHECK (presence (*processor, 1) == FingerPresence::plays);
+    CHECK (processor->parameters().settings().fingers[1].xPercent == Approx (70));
+    processor->network().take (lifting (cursor));
+    CHECK (processor->state().parameters.at ("finger2_state") == 0);
+    processor->network().apply();
+    CHECK (presence (*processor, 1) == FingerPresence::absent);
+    CHECK (presence (*processor, 0) == FingerPresence::plays);
+}
+
 TEST_CASE ("States keep the ports of touches, and say why one cannot be opened", "[touch]")
 {
     TouchProcessor first (8, juce::AudioProcessor::wrapperType_Undefined);
@@ -215,8 +238,12 @@ TEST_CASE ("States keep the ports of touches, and say why one cannot be opened",
     second.setState (first.state());
     CHECK (second.warning()
            == "OSC port " + juce::String (port) + ": is in use by another program; allowed: a free port, or 0 for off");
+    CHECK (second.network().ports().oscPort == 0);
     first.network().open ({ 0, 0, "127.0.0.1" });
     auto state = second.state();
+    second.setState (state); // The same ports, which are free now.
+    CHECK (second.warning().isEmpty());
+    CHECK (second.network().ports().oscPort == port);
     state.parameters["osc_port"] = 1e9;
     second.setState (state);
     CHECK (second.warning().contains ("a port is 65536; allowed: 1 to 65535"));

@@ -13,13 +13,13 @@ namespace
 constexpr double rate = 48000;
 constexpr int length = 1600, block = 256, probes = 8;
 
-HostedEffect hosted (const BuiltEffect& effect)
+HostedEffect hosted (const BuiltEffect& effect, int longestBlock = block)
 {
     return { { ANTINODE_PLATE_VST3_BUNDLE, ANTINODE_PLATE_LV2_PATH,
                "https://antinode.example/plugins/antinode-plate-" },
              effect,
              rate,
-             block };
+             longestBlock };
 }
 } // namespace
 
@@ -64,6 +64,17 @@ TEST_CASE ("A hosted plate keeps its device and its probes, and a broken state c
     const Eigen::MatrixXd one = first.play (voltages), other = second.play (voltages);
     CHECK ((one.row (1) - unmoved.row (1)).cwiseAbs().maxCoeff() > 0.01 * unmoved.row (1).cwiseAbs().maxCoeff());
     CHECK ((one - other).isZero (0));
+}
+
+TEST_CASE ("A hosted plate plays blocks longer than it was prepared for", "[hosted][plate]")
+{
+    const auto plugin = GENERATE (from_range (builtEffects (16)));
+    CAPTURE (plugin.isLv2);
+    auto whole = hosted (plugin, length), parts = hosted (plugin, 64);
+    const auto voltages = sines (16, length);
+    const Eigen::MatrixXd expected = whole.play (voltages);
+    CHECK (expected.cwiseAbs().maxCoeff() > 1e-5);
+    CHECK (parts.play (voltages, length) == expected);
 }
 
 TEST_CASE ("Ten hosted plates move beside each other", "[hosted][plate]")

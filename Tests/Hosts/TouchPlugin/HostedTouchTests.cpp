@@ -15,13 +15,13 @@ namespace
 constexpr double rate = 48000;
 constexpr int length = 4800, block = 256, fingers = 8;
 
-HostedEffect hosted (const BuiltEffect& effect)
+HostedEffect hosted (const BuiltEffect& effect, int longestBlock = block)
 {
     return { { ANTINODE_TOUCH_VST3_BUNDLE, ANTINODE_TOUCH_LV2_PATH,
                "https://antinode.example/plugins/antinode-touch-" },
              effect,
              rate,
-             block };
+             longestBlock };
 }
 
 /** Fingers on a beam with 64 ceramics: each wire up to the last carries another voltage. */
@@ -127,6 +127,17 @@ TEST_CASE ("A hosted touch plug-in keeps its fingers, and a broken state changes
     const Eigen::MatrixXd one = first.play (reference.inputs), other = second.play (reference.inputs);
     CHECK ((one - unmoved).cwiseAbs().maxCoeff() > 0.01 * unmoved.cwiseAbs().maxCoeff());
     CHECK ((one - other).isZero (0));
+}
+
+TEST_CASE ("A hosted touch plug-in plays blocks longer than it was prepared for", "[hosted][touch-plugin]")
+{
+    const auto plugin = GENERATE (from_range (builtEffects (16)));
+    CAPTURE (plugin.isLv2);
+    auto whole = hosted (plugin, length), parts = hosted (plugin, 64);
+    const auto inputs = fingerTones (fingers, length, rate);
+    const Eigen::MatrixXd expected = whole.play (inputs);
+    CHECK (expected.cwiseAbs().maxCoeff() > 1e-5);
+    CHECK (parts.play (inputs, length) == expected);
 }
 
 TEST_CASE ("Ten hosted touch plug-ins play beside each other", "[hosted][touch-plugin]")
