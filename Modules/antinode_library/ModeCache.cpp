@@ -113,6 +113,8 @@ std::optional<ModalModel> ModeCache::find (const DeviceDescription& device, std:
     if (! key)
         return {};
 
+    removeAbandoned (folder);
+
     try
     {
         const auto path = folder / nameFor (*key);

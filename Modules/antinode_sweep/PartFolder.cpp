@@ -29,6 +29,33 @@ constexpr std::uintmax_t largestPartFile = std::uintmax_t { 1 } << 30;
     throw InputError (printable (path.string(), 300), wrong);
 }
 
+/** What dead processes of this computer have left. */
+void removeAbandonedParts (const fs::path& folder)
+{
+    std::error_code ignored;
+    const auto start = std::string (temporaryPrefix) + computerName() + "-";
+    std::vector<fs::path> abandoned;
+
+    for (const auto& entry : fs::directory_iterator (folder, ignored))
+    {
+        const auto name = entry.path().filename().string();
+        int process = 0;
+
+        if (! name.starts_with (start))
+            continue;
+
+        const auto* const end = name.data() + name.size();
+        const auto parsed = std::from_chars (name.data() + start.size(), end, process);
+
+        if (parsed.ec == std::errc() && parsed.ptr != end && *parsed.ptr == '-' && process > 0
+            && ! isProcessRunning (process))
+            abandoned.push_back (entry.path());
+    }
+
+    for (const auto& path : abandoned)
+        fs::remove (path, ignored);
+}
+
 /** A name that no other process has, on no computer. */
 std::string temporaryName()
 {
@@ -90,6 +117,9 @@ PartFolder::PartFolder (const std::filesystem::path& path, const std::string& ha
 
     if (std::error_code unknown; ! fs::is_directory (folder / "parts", unknown))
         fail (folder, "cannot be created: " + error.message());
+
+    removeAbandonedParts (folder);
+    removeAbandonedParts (folder / "parts");
 }
 
 std::filesystem::path PartFolder::pathOf (std::size_t part) const

@@ -40,20 +40,6 @@ int findOwner (std::string_view name)
     return parsed.ec == std::errc {} && parsed.ptr != end && *parsed.ptr == '-' && owner > 0 ? owner : 0;
 }
 
-void removeStaleFolders (const fs::path& target)
-{
-    std::error_code ignored;
-    std::vector<fs::path> stale;
-
-    for (const auto& entry : fs::directory_iterator (target, ignored))
-        if (const auto owner = findOwner (entry.path().filename().string()); owner > 0 && ! isProcessRunning (owner))
-            if (fs::is_directory (entry.symlink_status (ignored)))
-                stale.push_back (entry.path());
-
-    for (const auto& path : stale)
-        fs::remove_all (path, ignored);
-}
-
 fs::path makeTemporaryFolder (const fs::path& target)
 {
     std::random_device random;
@@ -84,7 +70,7 @@ OutputFolder::OutputFolder (const std::filesystem::path& targetFolder)
     if (std::error_code unknown; ! fs::is_directory (target, unknown))
         fail (targetFolder, "cannot be created: " + error.message());
 
-    removeStaleFolders (target);
+    removeAbandoned (target);
     temporary = makeTemporaryFolder (target);
 }
 
@@ -149,6 +135,20 @@ void OutputFolder::commit()
 
     fileNames.clear();
     fs::remove_all (temporary, error);
+}
+
+void removeAbandoned (const std::filesystem::path& target)
+{
+    std::error_code ignored;
+    std::vector<fs::path> stale;
+
+    for (const auto& entry : fs::directory_iterator (target, ignored))
+        if (const auto owner = findOwner (entry.path().filename().string()); owner > 0 && ! isProcessRunning (owner))
+            if (fs::is_directory (entry.symlink_status (ignored)))
+                stale.push_back (entry.path());
+
+    for (const auto& path : stale)
+        fs::remove_all (path, ignored);
 }
 
 void writeWholeFile (const std::filesystem::path& path, std::string_view content)

@@ -40,6 +40,10 @@ private:
     bool madeTarget = false;
 };
 
+/** Removes what processes that are dead have left in a folder while they wrote to it: temporary folders as above. A
+   folder that is missing is left so. [worker] */
+void removeAbandoned (const std::filesystem::path& folder);
+
 /** Writes one file, which appears under its name only when it is complete. Folders on the way are made; a link is
    followed.
     @throws InputError  when it cannot be written, or its name is that of a folder or of anything else that is no plain

@@ -4,15 +4,45 @@
 #include <antinode_base/Processes.h>
 #include <antinode_base/WholeFile.h>
 #include <antinode_library/Library.h>
+#include <antinode_text/OutputFolder.h>
 
-#include <fstream>
+#include <charconv>
 #include <system_error>
+#include <vector>
 
 namespace antinode
 {
 namespace
 {
 namespace fs = std::filesystem;
+
+constexpr int largestProcess = 1 << 22; // of Linux; what is above is a date, or somebody's count
+
+/** What earlier versions left when they were killed: files beside it that end with the number of a dead process. */
+void removeAbandonedCopies (const fs::path& file)
+{
+    std::error_code ignored;
+    const auto start = file.filename().string() + ".";
+    std::vector<fs::path> abandoned;
+
+    for (const auto& entry : fs::directory_iterator (file.parent_path(), ignored))
+    {
+        const auto name = entry.path().filename().string();
+        int process = 0;
+
+        if (! name.starts_with (start))
+            continue;
+
+        const auto [end, error] = std::from_chars (name.data() + start.size(), name.data() + name.size(), process);
+
+        if (error == std::errc() && end == name.data() + name.size() && process > 0 && process <= largestProcess
+            && ! isProcessRunning (process))
+            abandoned.push_back (entry.path());
+    }
+
+    for (const auto& path : abandoned)
+        fs::remove (path, ignored);
+}
 
 /** An unused name in the folder of the file. */
 fs::path freeName (const fs::path& file)
@@ -38,7 +68,13 @@ StandaloneSettings SettingsFile::load()
 {
     std::error_code ignored;
 
-    if (file.empty() || ! fs::exists (file, ignored))
+    if (file.empty())
+        return {};
+
+    removeAbandoned (file.parent_path());
+    removeAbandonedCopies (file);
+
+    if (! fs::exists (file, ignored))
         return {};
 
     try
@@ -79,22 +115,12 @@ void SettingsFile::save (const StandaloneSettings& settings)
     if (file.empty() || text == written)
         return;
 
-    // A name of this process, in the same folder: so the step at the end is one rename.
-    auto temporary = file;
-    temporary += "." + std::to_string (ownProcess());
-    std::error_code failure;
-    fs::create_directories (file.parent_path(), failure);
-    std::ofstream stream (temporary, std::ios::binary);
-    stream << text << std::flush;
-    const auto isWritten = stream.good();
-    stream.close();
-
-    if (isWritten)
-        fs::rename (temporary, file, failure);
-
-    if (! isWritten || failure)
+    try
     {
-        fs::remove (temporary, failure);
+        writeWholeFile (file, text);
+    }
+    catch (const InputError&)
+    {
         throw InputError (file.string(), "the settings cannot be written");
     }
 

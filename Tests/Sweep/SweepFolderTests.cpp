@@ -1,6 +1,7 @@
 #include "Support/ErrorText.h"
 #include "Support/TemporaryFolder.h"
 
+#include <antinode_base/Processes.h>
 #include <antinode_sweep/CaseEvaluator.h>
 #include <antinode_sweep/SweepFolder.h>
 #include <antinode_sweep/SweepTable.h>
@@ -186,4 +187,24 @@ TEST_CASE ("A shard is one of its number", "[sweep]")
     for (const auto* text :
          { "8/7", "0/7", "1/0", "1", "/7", "1/", "1/2/3", "-1/7", "1/99999999999999999999", "a/b", "" })
         CHECK_THAT (errorText ([&] { readShard (text); }), Catch::Contains ("allowed: I/N"));
+}
+
+TEST_CASE ("The next start removes what a dead process of this computer left, and no other's", "[sweep]")
+{
+    const TemporaryFolder scratch;
+    const auto name = [] (const std::string& computer, int process)
+    { return ".part-" + computer + "-" + std::to_string (process) + "-1"; };
+    constexpr auto dead = 4194304; // above what Linux gives
+    const auto parts = scratch.path() / "parts";
+    std::filesystem::create_directories (parts);
+    const auto left = parts / name (computerName(), dead), running = parts / name (computerName(), ownProcess()),
+               elsewhere = parts / name (computerName() + "x", dead);
+
+    for (const auto& file : { left, running, elsewhere })
+        std::ofstream (file) << "x";
+
+    const PartFolder folder (scratch.path(), "hash", 10);
+    CHECK_FALSE (std::filesystem::exists (left));
+    CHECK (std::filesystem::exists (running));
+    CHECK (std::filesystem::exists (elsewhere));
 }
