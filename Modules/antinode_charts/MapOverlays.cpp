@@ -12,6 +12,7 @@ namespace antinode
 namespace
 {
 constexpr auto crossArm = 7.0f;
+constexpr auto tagWidthBeside = 6.0f, tagHeightBeside = 1.0f; // the text
 
 // Lines and labels over a map stand on a halo of the page's colour: legible on every colour.
 void drawWithHalo (juce::Graphics& g, const CurvePiece& line, float width, const Theme& theme)
@@ -32,8 +33,8 @@ CurvePiece closedCurve (const std::vector<Eigen::Vector2d>& line, const PlotFram
 
 juce::Rectangle<float> tagAt (const std::string& label, juce::Point<float> centre, const Theme& theme)
 {
-    const auto width = textWidth (label, { theme.tickHeight, false, {} }) + 6;
-    return juce::Rectangle<float> (width, theme.tickHeight + 1).withCentre (centre);
+    const auto width = textWidth (label, { theme.tickHeight, false, {} }) + tagWidthBeside;
+    return juce::Rectangle<float> (width, theme.tickHeight + tagHeightBeside).withCentre (centre);
 }
 
 void drawTag (juce::Graphics& g, const std::string& label, juce::Point<float> centre, const Theme& theme)
@@ -45,6 +46,26 @@ void drawTag (juce::Graphics& g, const std::string& label, juce::Point<float> ce
     g.setColour (theme.background.withAlpha (0.75f));
     g.fillRoundedRectangle (tag, 3);
     drawText (g, label, tag, juce::Justification::centred, style);
+}
+
+// All names in one size, so that "C10" is there where "C9" is; of those that no legible size fits, none.
+float sizeOfNames (const PlotFrame& frame, const std::vector<MapRectangle>& rectangles, const Theme& theme)
+{
+    constexpr auto smallest = 0.6f;
+    auto size = 1.0f;
+    for (const auto& rectangle : rectangles)
+    {
+        if (rectangle.label.empty())
+            continue;
+        const auto one = frame.at (rectangle.xMinimum, rectangle.yMinimum);
+        const auto other = frame.at (rectangle.xMaximum, rectangle.yMaximum);
+        const auto width = textWidth (rectangle.label, { theme.tickHeight, false, {} });
+        const auto fitting = std::min ((std::abs (other.x - one.x) - tagWidthBeside) / width,
+                                       (std::abs (other.y - one.y) - tagHeightBeside) / theme.tickHeight);
+        if (fitting >= smallest)
+            size = std::min (size, fitting);
+    }
+    return size;
 }
 
 // Its name stands where it fits and hides no point.
@@ -60,7 +81,9 @@ void drawRectangle (juce::Graphics& g, const PlotFrame& frame, const MapRectangl
     for (const auto& line : rectangle.shape)
         drawWithHalo (g, closedCurve (line, frame), 0.6f * theme.lineWidth, theme);
     const auto tag = tagAt (rectangle.label, (one + other) / 2.0f, theme);
-    const auto fits = tag.getWidth() <= std::abs (other.x - one.x) && tag.getHeight() <= std::abs (other.y - one.y);
+    constexpr auto rounding = 0.01f;
+    const auto fits = tag.getWidth() <= std::abs (other.x - one.x) + rounding
+                      && tag.getHeight() <= std::abs (other.y - one.y) + rounding;
     const auto hidesPoint = std::any_of (points.begin(), points.end(),
                                          [&] (const auto& point)
                                          { return tag.expanded (crossArm).contains (frame.at (point.x, point.y)); });
@@ -148,8 +171,11 @@ void drawContours (juce::Graphics& g, const PlotFrame& frame, const HeatMap& cha
 void drawPlaces (juce::Graphics& g, const PlotFrame& frame, const std::vector<MapRectangle>& rectangles,
                  const std::vector<MapPoint>& points, const Theme& theme)
 {
+    auto small = theme;
+    small.tickHeight *= sizeOfNames (frame, rectangles, theme);
+
     for (const auto& rectangle : rectangles)
-        drawRectangle (g, frame, rectangle, points, theme);
+        drawRectangle (g, frame, rectangle, points, small);
     for (const auto& point : points)
         drawPoint (g, frame, point, theme);
 }

@@ -6,7 +6,8 @@ namespace antinode
 {
 namespace
 {
-constexpr int maximumRanges = 6; // that are named
+constexpr int maximumRanges = 6;  // that are named
+constexpr int ignorablePart = 10; // of the notes: one in so many
 
 /** "0 to 3, 9 and 127", the last ones in a number where there are many. */
 std::string inWords (const std::vector<int>& notes)
@@ -48,5 +49,12 @@ std::string unplayableNotes (const DesignProgress& progress, double sampleRate)
     std::snprintf (rate, sizeof rate, "%g", sampleRate / 1000);
     return std::to_string (notes.size()) + " of " + std::to_string (progress.wanted - 1) + " notes cannot be played at "
            + rate + " kHz (" + (notes.size() == 1 ? "note " : "notes ") + inWords (notes) + "): " + progress.error;
+}
+
+UserMessage unplayableNotesMessage (const DesignProgress& progress, double sampleRate)
+{
+    const auto failed = static_cast<int> (progress.failedNotes.size());
+    return { ignorablePart * failed <= progress.wanted ? Urgency::calm : Urgency::caution,
+             unplayableNotes (progress, sampleRate) };
 }
 } // namespace antinode

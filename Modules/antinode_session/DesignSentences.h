@@ -1,6 +1,7 @@
 #pragma once
 
 #include "DesignRequest.h"
+#include "UserMessages.h"
 
 #include <string>
 
@@ -11,4 +12,7 @@ namespace antinode
     @param sampleRate  that they were designed for, Hz
     [any] */
 std::string unplayableNotes (const DesignProgress&, double sampleRate);
+
+/** The same for a window: calm while nearly all others play, for that may be ignored. [any] */
+UserMessage unplayableNotesMessage (const DesignProgress&, double sampleRate);
 } // namespace antinode

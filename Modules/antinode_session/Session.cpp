@@ -13,13 +13,15 @@ namespace
 constexpr auto preparePatience = std::chrono::milliseconds (40); // of a host that prepares us
 } // namespace
 
-Session::Session (DeviceDocument device, FocusDocument focus, ReadSettings read, std::function<void()> changed)
+Session::Session (DeviceDocument device, FocusDocument focus, ReadSettings read, std::function<void()> changed,
+                  TakeFocus takeFocus)
     : owner (std::make_shared<SessionOwner<PlaySettings>> (std::move (read), std::move (changed))),
       requests (std::make_shared<SessionRequests> (std::make_shared<const DeviceDocument> (std::move (device)),
                                                    std::make_shared<const FocusDocument> (std::move (focus)),
                                                    spotNote)),
       entry (std::make_shared<AudioEntry>()),
-      thread ([worker = std::make_shared<SessionWorker> (requests, trackingRequests, entry, owner)] { worker->run(); })
+      thread ([worker = std::make_shared<SessionWorker> (requests, trackingRequests, entry, owner,
+                                                         std::move (takeFocus))] { worker->run(); })
 {
 }
 

@@ -35,14 +35,17 @@ public:
     /** Starts solving the device.
         @param readSettings  gives what the parameters say; called on the session's thread, must not block
         @param onChange      called on the session's thread after latency, tail or a snapshot have changed
+        @param takeFocus     takes over the focus that was chosen for a device that came without one, on the session's
+       thread; none: the present focus stays
         [worker] starts threads */
-    Session (DeviceDocument, FocusDocument, ReadSettings readSettings, std::function<void()> onChange);
+    Session (DeviceDocument, FocusDocument, ReadSettings readSettings, std::function<void()> onChange,
+             TakeFocus takeFocus = {});
     ~Session();
     Session (const Session&) = delete;
     Session& operator= (const Session&) = delete;
 
-    /** Another device, focus, or both (none: the present one stays). Returns at once; what plays ramps out when the new
-       path is ready. [any but the audio thread] */
+    /** Another device, focus, or both (none: the present device stays; a device alone gets a focus that suits it).
+       Returns at once; what plays ramps out when the new path is ready. [any but the audio thread] */
     void load (std::shared_ptr<const DeviceDocument>, std::shared_ptr<const FocusDocument>);
 
     /** Brings what plays to rest, and asks for the path of a sample rate. Waits until it is there and its focus

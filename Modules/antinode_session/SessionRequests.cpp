@@ -23,10 +23,16 @@ void SessionRequests::load (std::shared_ptr<const DeviceDocument> device, std::s
     const std::lock_guard lock (mutex);
 
     if (device != nullptr)
+    {
         asked.device = std::move (device);
+        asked.choosesFocus = true;
+    }
 
     if (focus != nullptr)
+    {
+        asked.choosesFocus = false;
         asked.focus = newest = std::move (focus);
+    }
 
     wake.notify_all();
 }
@@ -35,6 +41,12 @@ std::shared_ptr<const FocusDocument> SessionRequests::newestFocus() const
 {
     const std::lock_guard lock (mutex);
     return newest;
+}
+
+void SessionRequests::adopt (std::shared_ptr<const FocusDocument> focus)
+{
+    const std::lock_guard lock (mutex);
+    newest = std::move (focus);
 }
 
 void SessionRequests::designFirst (std::vector<int> notes)
@@ -102,6 +114,12 @@ bool SessionRequests::hasDevice() const
     return asked.device != nullptr;
 }
 
+bool SessionRequests::hasFocus() const
+{
+    const std::lock_guard lock (mutex);
+    return asked.focus != nullptr;
+}
+
 std::optional<SessionRound> SessionRequests::next()
 {
     std::unique_lock lock (mutex);
@@ -123,6 +141,7 @@ std::optional<SessionRound> SessionRequests::next()
 
     asked.device = nullptr;
     asked.focus = nullptr;
+    asked.choosesFocus = false;
     asked.touches.clear();
     asked.isInsertionNew = asked.isOrderNew = false;
     return round;

@@ -23,13 +23,17 @@ struct SessionTouch
     std::uint64_t askedAt = 0; ///< StopCount::now() then.
 };
 
+/** Takes over a focus in place of another one. @return  false where that one is not the present one any more */
+using TakeFocus = std::function<bool (const std::shared_ptr<const FocusDocument>& chosen, const FocusDocument& before)>;
+
 /** What is new in a round of a session's thread. */
 struct SessionRound
 {
     std::uint64_t number = 0;
     std::shared_ptr<const DeviceDocument> device; ///< None: the present one stays; so with the focus.
     std::shared_ptr<const FocusDocument> focus;
-    double sampleRate = 0; ///< Hz; 0 before the first preparation.
+    bool choosesFocus = false; ///< Whether the device came without a focus.
+    double sampleRate = 0;     ///< Hz; 0 before the first preparation.
     GraphChoice graph;
     bool isInsertionNew = false, isOrderNew = false;
     std::vector<int> firstNotes;    ///< Are designed before the others.
@@ -52,6 +56,9 @@ public:
 
     /** The focus that was loaded last. [any but the audio thread] */
     std::shared_ptr<const FocusDocument> newestFocus() const;
+
+    /** The session has chosen this one for a device that came without. [session's thread] */
+    void adopt (std::shared_ptr<const FocusDocument>);
 
     /** [any but the audio thread] */
     void designFirst (std::vector<int> notes);
@@ -82,6 +89,9 @@ public:
 
     /** Whether a device waits to be taken. [any but the audio thread] */
     bool hasDevice() const;
+
+    /** Whether a focus does. [any but the audio thread] */
+    bool hasFocus() const;
 
     /** Waits for a request, a few milliseconds at most: settings are looked at so often. @return  none at the end
         [session's thread] */

@@ -5,9 +5,14 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
+#include <antinode_documents/FocusFile.h>
+#include <antinode_focus/FocusMoments.h>
+#include <antinode_focus/SuitableFocus.h>
 #include <antinode_focus/WideDesign.h>
 #include <antinode_library/Library.h>
 #include <antinode_model/IdleCeramics.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,13 +23,14 @@ namespace antinode
 namespace
 {
 constexpr double traceEntriesPerSecond = 2000;
+constexpr double usualRate = 48000; // Hz, before a host says it
 } // namespace
 
 SessionWorker::SessionWorker (std::shared_ptr<SessionRequests> requestsToServe,
                               std::shared_ptr<TrackingRequests> trackingToServe, std::shared_ptr<AudioEntry> entryToUse,
-                              std::shared_ptr<Owner> ownerToAsk)
+                              std::shared_ptr<Owner> ownerToAsk, TakeFocus takeFocusToCall)
     : requests (std::move (requestsToServe)), entry (std::move (entryToUse)), owner (std::move (ownerToAsk)),
-      tracking (std::move (trackingToServe))
+      takeFocus (std::move (takeFocusToCall)), tracking (std::move (trackingToServe))
 {
 }
 
@@ -103,14 +109,17 @@ void SessionWorker::takeDocuments (const SessionRound& round)
     device = round.device;
     isSolving = true;
     publish();
-    solve (*device);
+
+    if (solve (*device) && round.choosesFocus && takeFocus)
+        chooseFocus();
+
     isSolving = false;
     requests->setProgress ({}); // It belongs to the previous device.
     publish();
 }
 
 /** A newer device ends this one's solving; the next round takes it. */
-void SessionWorker::solve (const DeviceDocument& document)
+bool SessionWorker::solve (const DeviceDocument& document)
 {
     try
     {
@@ -125,6 +134,7 @@ void SessionWorker::solve (const DeviceDocument& document)
         isModelNew = true;
         tracking.forget();
         deviceError.clear();
+        return true;
     }
     catch (const Cancelled&)
     {
@@ -133,6 +143,32 @@ void SessionWorker::solve (const DeviceDocument& document)
     catch (const std::exception& failure)
     {
         deviceError = failure.what();
+    }
+
+    return false;
+}
+
+/** For a device that came without a focus: the focus of the device before may lie on an edge of this one. */
+void SessionWorker::chooseFocus()
+{
+    try
+    {
+        const WatchScope scope ([this] { return ! requests->hasDevice() && ! requests->hasFocus(); });
+        const Playback playback { Reconstruction::bandLimited, rate > 0 ? rate : usualRate };
+        const auto json = focusToJson (suitableFocus (*model, playback));
+        auto chosen = std::make_shared<const FocusDocument> (readFocusDocument (nlohmann::json (json), "focus"));
+        auto isTaken = false;
+
+        if (owner->call ([&] { isTaken = takeFocus (chosen, *focus); }) && isTaken)
+        {
+            focus = std::move (chosen);
+            requests->adopt (focus);
+            isFocusNew = true;
+        }
+    }
+    catch (const Cancelled&)
+    {
+        checkWatch();
     }
 }
 

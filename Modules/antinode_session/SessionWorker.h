@@ -24,7 +24,7 @@ public:
     using Owner = SessionOwner<PlaySettings>;
 
     SessionWorker (std::shared_ptr<SessionRequests>, std::shared_ptr<TrackingRequests>, std::shared_ptr<AudioEntry>,
-                   std::shared_ptr<Owner>);
+                   std::shared_ptr<Owner>, TakeFocus);
 
     /** Works until it is stopped; then no path is left. Nothing may be processing by then. [session's thread] */
     void run();
@@ -32,7 +32,8 @@ public:
 private:
     void step (const SessionRound&);
     void takeDocuments (const SessionRound&);
-    void solve (const DeviceDocument&);
+    bool solve (const DeviceDocument&);
+    void chooseFocus();
     void takeAmplifiers (const SessionRound&);
     void takeFingers();
     void buildPath();
@@ -50,6 +51,7 @@ private:
     std::shared_ptr<SessionRequests> requests;
     std::shared_ptr<AudioEntry> entry;
     std::shared_ptr<Owner> owner;
+    TakeFocus takeFocus;
     std::shared_ptr<const DeviceDocument> device;
     std::shared_ptr<const FocusDocument> focus;
     std::shared_ptr<const ModalModel> solved, model;    ///< Without and with the amplifiers.

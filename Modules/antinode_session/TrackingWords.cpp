@@ -48,4 +48,11 @@ std::string trackingSentence (const TrackingStatus& status)
                            + formatted (", %.2f ms after the voltages.", milli * status.delay),
                        status.reason);
 }
+
+UserMessage trackingMessage (const TrackingStatus& status)
+{
+    const auto fails = status.state == TrackingState::lost || status.state == TrackingState::impossible;
+    return fails ? UserMessage { Urgency::caution, "Tracking of the drift: " + trackingSentence (status) }
+                 : UserMessage {};
+}
 } // namespace antinode

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "TrackingStatus.h"
+#include "UserMessages.h"
 
 #include <antinode_base/WordList.h>
 
@@ -20,4 +21,7 @@ inline constexpr WordList<TrackingState, 8> trackingStateWords { { { "off", Trac
 
 /** What tracking says of a device, for people: "Following: +0.42 % (+-12 ppm), 5.31 ms after the voltages". [any] */
 std::string trackingSentence (const TrackingStatus&);
+
+/** The same where tracking does not do what it is wanted for; else without text. [any] */
+UserMessage trackingMessage (const TrackingStatus&);
 } // namespace antinode

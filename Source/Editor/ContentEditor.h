@@ -1,14 +1,15 @@
 #pragma once
 
-#include <juce_audio_processors/juce_audio_processors.h>
+#include "WindowScale.h"
 
-#include <algorithm>
+#include <juce_audio_processors/juce_audio_processors.h>
 
 namespace antinode
 {
-/** The window of a plug-in: its content, made smaller where there is too little room, and the clock that refreshes it.
-   The clock runs only in a window. [message thread]
-    @tparam Content  a component with refresh (seconds), minimumWidth and minimumHeight */
+/** The window of a plug-in: its content, larger or smaller, and the clock that refreshes it. The clock runs only in a
+   window: before, a VST3 is made, measured and perhaps freed again on the host's thread, while messages run on one of
+   JUCE's own. [message thread]
+    @tparam Content  a component with refresh (seconds), sizes, usualWidth, usualHeight and framesPerSecond */
 template <typename Content>
 class ContentEditor : public juce::AudioProcessorEditor, private juce::Timer
 {
@@ -19,20 +20,27 @@ public:
     {
         addAndMakeVisible (shown);
         setResizable (true, true);
-        setResizeLimits (Content::minimumWidth / 2, Content::minimumHeight / 2, usualWidth * 3, usualHeight * 3);
-        setSize (usualWidth, usualHeight);
+        setResizeLimits (Content::sizes.leastWidth / 2, Content::sizes.leastHeight / 2, Content::usualWidth * 3,
+                         Content::usualHeight * 3);
+        setSize (Content::usualWidth, Content::usualHeight);
     }
 
     ~ContentEditor() override { stopTimer(); }
 
     Content& content() { return shown; }
 
+    /** @param wanted  0: as large as suits the window */
+    void setContentScale (double wanted)
+    {
+        wantedScale = wanted;
+        resized();
+    }
+
     void resized() override
     {
-        const auto width = static_cast<double> (getWidth()), height = static_cast<double> (getHeight());
-        const auto scale = std::min ({ 1.0, width / Content::minimumWidth, height / Content::minimumHeight });
+        const auto scale = windowScale (getWidth(), getHeight(), Content::sizes, wantedScale);
         shown.setTransform (juce::AffineTransform::scale (static_cast<float> (scale)));
-        shown.setBounds (0, 0, juce::roundToInt (width / scale), juce::roundToInt (height / scale));
+        shown.setBounds (0, 0, juce::roundToInt (getWidth() / scale), juce::roundToInt (getHeight() / scale));
     }
 
     void parentHierarchyChanged() override
@@ -42,13 +50,11 @@ public:
         else if (! isTimerRunning())
         {
             lastTime = juce::Time::getMillisecondCounterHiRes();
-            startTimerHz (framesPerSecond);
+            startTimerHz (Content::framesPerSecond);
         }
     }
 
 private:
-    static constexpr int usualWidth = 1040, usualHeight = 640, framesPerSecond = 30;
-
     void timerCallback() override
     {
         const auto now = juce::Time::getMillisecondCounterHiRes();
@@ -57,6 +63,7 @@ private:
     }
 
     Content shown;
+    double wantedScale = 0;
     double lastTime = 0; ///< ms
 };
 } // namespace antinode

@@ -52,6 +52,7 @@ struct DesignPicture
     std::shared_ptr<const RenderedCharts> rendered; ///< Of an earlier design until the stage is complete.
     std::shared_ptr<const Chart> methods;           ///< What this focus needs by several methods; comes last.
     std::string error;                              ///< Why there is no design, in one sentence.
+    std::vector<std::string> faults;                ///< What is wrong with the focus, as far as it is known.
     Stage stage = Stage::predicted;
 };
 } // namespace antinode

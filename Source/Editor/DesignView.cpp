@@ -1,5 +1,7 @@
 #include "DesignView.h"
 
+#include "FocusFaults.h"
+
 #include <antinode_base/InputError.h>
 #include <antinode_charts/BankCharts.h>
 #include <antinode_charts/FocusCharts.h>
@@ -141,6 +143,7 @@ void DesignView::answer (const DesignQuestion& question)
     DesignPicture made;
     made.question = question;
     made.focus = withSettings (question.focus->description, question.settings, question.model->surface);
+    made.faults = placeFaults (question.model->surface, made.focus);
 
     if (const auto before = picture(); before != nullptr && before->question.model == question.model)
     {
@@ -212,6 +215,7 @@ void DesignView::answerWith (DesignPicture& made, const FocusDesign& playable)
             crossSectionChart (model, playable, made.frames->focusField, PlateDirection::alongX));
 
     made.spectrum = std::make_shared<const Chart> (spectrumChart (model, playable, made.frames->focusVelocities));
+    made.faults = designFaults (model, playable);
     show (made);
 
     if (! isQuietFor (pause))
@@ -238,7 +242,13 @@ void DesignView::render (DesignPicture& made)
     charts->voltages = std::make_shared<const Chart> (voltagesChart (focus.model, focus.design.program, focus.render));
     charts->probe = std::make_shared<const Chart> (probeChart (focus.render, 0, "probe"));
     charts->felt = std::make_shared<const Chart> (feltFigure (focus.model, focus.felt.value()).chart);
-    charts->scores = focusScores (focus, evaluateOutcome (focus));
+    const auto outcome = evaluateOutcome (focus);
+    charts->scores = focusScores (focus, outcome);
+    made.faults = designFaults (focus.model, focus.design);
+
+    for (auto& fault : outcomeFaults (focus, outcome))
+        made.faults.push_back (std::move (fault));
+
     charts->warnings = focus.design.warnings;
     charts->choices = focus.design.choices;
     made.rendered = std::move (charts);

@@ -202,7 +202,11 @@ void DriftPanel::showSettings (const TrackingSettings& now)
 void DriftPanel::refresh()
 {
     if (const auto model = source.model(); model != nullptr)
+    {
         listCeramics (static_cast<int> (model->actuators()));
+        places[1].setEnabled (model->surface.kind != SurfaceKind::line);
+        placeNames[1].setEnabled (places[1].isEnabled());
+    }
 
     if (const auto now = source.tracking.settings(); now != shown)
         showSettings (now);

@@ -1,5 +1,7 @@
 #include "EditorContent.h"
 
+#include "EditorMessages.h"
+
 #include <antinode_charts/BankCharts.h>
 
 #include <algorithm>
@@ -22,8 +24,10 @@ EditorContent::EditorContent (AntinodeProcessor& processorToShow)
                [this] (const auto& wanted)
                { past.record ([this, &wanted] { processor.session().tracking().setSettings (wanted); }); },
                [this] { past.resetDrift(); } }),
-      parameters (processor), meters (processor, past), status (processor),
-      browser (std::make_unique<PresetPanel> (presets)), tooltips (this, 600)
+      settings ({ [this] { return processor.session().isGraphOpen(); },
+                  [this] (bool isOpen) { processor.session().setGraphOpen (isOpen); } }),
+      parameters (processor), meters (processor, past), browser (std::make_unique<PresetPanel> (presets)),
+      tooltips (this, 600)
 {
     juce::LookAndFeel::setDefaultLookAndFeel (&fonts.get());
     setLookAndFeel (&look);
@@ -40,6 +44,7 @@ EditorContent::EditorContent (AntinodeProcessor& processorToShow)
     top.onRedo = [this] { redo(); };
     surfaceView.onFire = [this] { fire(); };
     surfaceView.fingers().say = [this] (const juce::String& sentence) { status.say (sentence); };
+    status.onHeight = [this] { resized(); };
     browser->onClose = [this] { browse (std::nullopt); };
 
     for (juce::Component* const child :
@@ -53,7 +58,7 @@ EditorContent::EditorContent (AntinodeProcessor& processorToShow)
     addChildComponent (*browser);
     // Children have looked for their look before they had us as a parent.
     setDark (true);
-    setSize (minimumWidth, minimumHeight);
+    setSize (sizes.leastWidth, sizes.leastHeight);
     refresh (0);
 }
 
@@ -87,9 +92,17 @@ void EditorContent::refresh (double seconds)
     surfaceView.refresh();
     probe.refresh();
     drift.refresh();
+    settings.refresh();
     meters.refresh (seconds);
     top.refresh (presets.loadedName (LibraryKind::device), presets.loadedName (LibraryKind::focus));
-    status.refresh (picture.get(), ! designs->isDone());
+    showMessages (seconds);
+}
+
+void EditorContent::showMessages (double seconds)
+{
+    status.show (editorMessages (processor, picture.get(), ! designs->isDone(),
+                                 moreMessages ? moreMessages() : std::vector<UserMessage>()),
+                 playedFigures (processor), seconds);
 }
 
 void EditorContent::showModel()
@@ -101,7 +114,9 @@ void EditorContent::showModel()
 
     model = std::move (now);
     meters.setModel (model);
-    parameters.refreshTexts();
+    bank.setChart (nullptr, "The foci of the notes are not designed yet.");
+    shownVolts.reset();
+    parameters.refreshTexts (model != nullptr && model->surface.kind == SurfaceKind::line);
     resized();
 }
 
@@ -198,6 +213,13 @@ void EditorContent::redo()
 {
     past.redo();
     refresh (0);
+}
+
+void EditorContent::leaveSettingsToWindow()
+{
+    hasSettings = false;
+    layout = Layout::none;
+    resized();
 }
 
 void EditorContent::browse (std::optional<LibraryKind> kind)

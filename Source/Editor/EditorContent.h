@@ -11,10 +11,12 @@
 #include "PresetPanel.h"
 #include "ProbePanel.h"
 #include "ScoresView.h"
+#include "SettingsPanel.h"
 #include "StatusLine.h"
 #include "SurfaceView.h"
 #include "Timeline.h"
 #include "TopBar.h"
+#include "WindowScale.h"
 
 #include <antinode_base/BackgroundThread.h>
 
@@ -28,8 +30,8 @@ namespace antinode
 class EditorContent final : public juce::Component, public juce::FileDragAndDropTarget
 {
 public:
-    /** The least size at which everything is legible, in pixels at scale 1. */
-    static constexpr int minimumWidth = 800, minimumHeight = 500;
+    static constexpr ContentSizes sizes { 800, 500, 1700, 1000 };
+    static constexpr int usualWidth = 1280, usualHeight = 800, framesPerSecond = 60;
 
     explicit EditorContent (AntinodeProcessor&);
     ~EditorContent() override;
@@ -55,11 +57,18 @@ public:
     StatusLine& statusLine() { return status; }
     Timeline& timeline() { return time; }
 
+    /** A tab of its own, unless a window around shows it. */
+    SettingsPanel& settingsPanel() { return settings; }
+    void leaveSettingsToWindow();
+
+    /** What the window around has to say beside it; none: nothing. */
+    std::function<std::vector<UserMessage>()> moreMessages;
+
     /** Opens the browser of a kind, or closes it. */
     void browse (std::optional<LibraryKind>);
 
     /** Shows one of the panels at the right: "Spectrum", "Felt", "Probe", "Voltages", "Methods", "Bank", "Scores",
-        "Drift", "Controls". */
+        "Drift", "Settings", "Controls". */
     void showPanel (const juce::String& name);
 
     void paint (juce::Graphics&) override;
@@ -82,6 +91,7 @@ private:
     void showPicture();
     void showModel();
     void showBank();
+    void showMessages (double seconds);
     void setLayout (Layout);
     void layOutNarrow (juce::Rectangle<int>);
     void layOutWide (juce::Rectangle<int>);
@@ -107,6 +117,8 @@ private:
     ProbePanel probe;
     DriftPanel drift;
     ScoresView scores;
+    SettingsPanel settings;
+    bool hasSettings = true;
     ParameterPanel parameters;
     juce::Viewport parameterView;
     PanelGroup upper { "Charts" }, lower { "More charts" };

@@ -7,7 +7,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int gap = 6, topHeight = 48, timeHeight = 38, metersHeight = 62, statusHeight = 24;
+constexpr int gap = 6, topHeight = 48, timeHeight = 38, metersHeight = 62;
 constexpr int parametersWidth = 290, wideFrom = 1080, wideFromHeight = 600;
 constexpr int besidePlate = 150, belowPlate = 70, minimumSectionHeight = 130; // what axes and colours take
 } // namespace
@@ -26,17 +26,26 @@ void EditorContent::setLayout (Layout wanted)
         ofDrift { "Drift", "The sensor that tracks the drift of the device, and what it says.", &drift },
         ofScores { "Scores", "Scores of the focus, warnings and choices.", &scores },
         ofControls { "Controls", "All parameters.", &parameterView };
+    std::vector<PanelGroup::Panel> ofUpper { ofSpectrum, ofFelt, ofProbe, ofDrift },
+        ofLower { ofVoltages, ofMethods, ofBank, ofScores };
     upper.setPanels ({});
     lower.setPanels ({});
+
+    if (hasSettings)
+        ofUpper.push_back ({ "Settings", "Size of the window's content, and how what plays is run.", &settings });
 
     if (wanted == Layout::wide)
     {
         addAndMakeVisible (parameterView);
-        upper.setPanels ({ ofSpectrum, ofFelt, ofProbe, ofDrift });
-        lower.setPanels ({ ofVoltages, ofMethods, ofBank, ofScores });
+        upper.setPanels (ofUpper);
+        lower.setPanels (ofLower);
     }
-    else // There is no room for more tabs.
-        upper.setPanels ({ ofControls, ofSpectrum, ofFelt, ofVoltages, ofProbe, ofScores, ofDrift });
+    else
+    {
+        ofUpper.insert (ofUpper.begin(), ofControls);
+        ofUpper.insert (ofUpper.end(), ofLower.begin(), ofLower.end());
+        upper.setPanels (ofUpper);
+    }
 
     lower.setVisible (wanted == Layout::wide);
 }
@@ -45,7 +54,7 @@ void EditorContent::resized()
 {
     auto area = getLocalBounds();
     top.setBounds (area.removeFromTop (topHeight));
-    status.setBounds (area.removeFromBottom (statusHeight));
+    status.setBounds (area.removeFromBottom (status.wantedHeight()));
     area.removeFromBottom (1);
     meters.setBounds (area.removeFromBottom (metersHeight));
     area = area.reduced (gap);

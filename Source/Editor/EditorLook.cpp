@@ -54,6 +54,7 @@ void EditorLook::setPalette (const Palette& palette)
     setColour (juce::TextEditor::outlineColourId, palette.outline);
     setColour (juce::TextEditor::focusedOutlineColourId, palette.accent);
     setColour (juce::TextEditor::highlightColourId, palette.accent.withAlpha (0.4f));
+    setColour (juce::TextEditor::highlightedTextColourId, palette.text);
     setColour (juce::ListBox::backgroundColourId, palette.panel);
     setColour (juce::ScrollBar::thumbColourId, palette.mutedText.withAlpha (0.5f));
     setColour (juce::PopupMenu::backgroundColourId, palette.raised);
@@ -139,7 +140,7 @@ void EditorLook::drawToggleButton (juce::Graphics& g, juce::ToggleButton& button
     const auto knob = track.withWidth (height).translated (isOn ? track.getWidth() - height : 0, 0).reduced (3);
     g.setColour (isOn ? colours->onStrong : colours->mutedText);
     g.fillEllipse (knob);
-    g.setColour (colours->text);
+    g.setColour (colours->text.withMultipliedAlpha (button.isEnabled() ? 1.0f : 0.4f));
     g.setFont (font (smallTextHeight));
     g.drawText (button.getButtonText(), area.withTrimmedLeft (6), juce::Justification::centredLeft);
 }
@@ -179,7 +180,7 @@ void EditorLook::drawLinearSlider (juce::Graphics& g, int x, int y, int width, i
         juce::Path clip;
         clip.addRoundedRectangle (track, isBar ? corner : 2);
         g.reduceClipRegion (clip);
-        g.setColour (colours->accent.withAlpha (isBar ? 0.3f : 0.9f));
+        g.setColour (colours->accent.withAlpha (! slider.isEnabled() ? 0.1f : isBar ? 0.3f : 0.9f));
         g.fillRect (track.withRight (position));
     }
 

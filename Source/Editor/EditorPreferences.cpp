@@ -2,7 +2,6 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_library/Library.h>
-#include <antinode_text/JsonReader.h>
 #include <antinode_text/JsonText.h>
 #include <antinode_text/OutputFolder.h>
 
@@ -26,6 +25,9 @@ EditorPreferences readPreferences()
     const auto file = preferencesFile();
     std::error_code ignored;
 
+    if (file)
+        removeAbandoned (file->parent_path());
+
     if (! file || ! std::filesystem::exists (*file, ignored))
         return {};
 
@@ -34,7 +36,9 @@ EditorPreferences readPreferences()
         const auto json = readJsonFile (*file);
         const JsonValue value (json, file->string());
         value.requireSchema (schema);
-        return { value.object ({ "schema", "theme" }).required ("theme").choice (themeWords) };
+        const auto object = value.object ({ "schema", "theme", "scale" });
+        const auto scale = object.optional ("scale");
+        return { object.required ("theme").choice (themeWords), scale ? scale->number (scaleRange) : 0 };
     }
     catch (const InputError&)
     {
@@ -49,7 +53,10 @@ void keepPreferences (const EditorPreferences& preferences)
     if (! file)
         return;
 
-    const nlohmann::ordered_json json { { "schema", schema }, { "theme", wordFor (themeWords, preferences.isDark) } };
+    nlohmann::ordered_json json { { "schema", schema }, { "theme", wordFor (themeWords, preferences.isDark) } };
+
+    if (preferences.scale > 0)
+        json["scale"] = preferences.scale;
 
     try
     {

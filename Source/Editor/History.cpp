@@ -1,5 +1,6 @@
 #include "History.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace antinode
@@ -9,14 +10,23 @@ namespace
 constexpr juce::uint32 joinWithin = 600; // ms: arrow keys and steps of a wheel follow each other closely
 constexpr std::size_t maximumEntries = 200;
 
+/** What the user changed. A device may get its focus later, when it is solved: then all of its parameters change. */
+bool isChange (const std::string& name, const SessionState& before, const SessionState& after, const Parameters& all)
+{
+    const auto ofFocus = all.ofFocus();
+    const auto isOfFocus = std::find (ofFocus.begin(), ofFocus.end(), all.find (name)) != ofFocus.end();
+    return before.parameters.at (name) != after.parameters.at (name) || (before.device != after.device && isOfFocus);
+}
+
 /** Keeps of both states only the parameters that differ, and of these those that the user moved. */
-void keepChanges (SessionState& before, SessionState& after, const std::set<std::string>* gestured)
+void keepChanges (SessionState& before, SessionState& after, const std::set<std::string>* gestured,
+                  const Parameters& all)
 {
     for (const auto& [name, value] : std::map (after.parameters))
     {
         const auto isOthers = gestured != nullptr && gestured->count (name) == 0;
 
-        if (name == "arm" || isOthers || before.parameters[name] == value)
+        if (name == "arm" || isOthers || ! isChange (name, before, after, all))
         {
             before.parameters.erase (name);
             after.parameters.erase (name);
@@ -85,7 +95,7 @@ void History::parameterGestureChanged (int index, bool isStarting)
 void History::add (SessionState before, const std::set<std::string>* moved)
 {
     auto after = processor.state();
-    keepChanges (before, after, moved);
+    keepChanges (before, after, moved, processor.parameters());
 
     if (isSame (before, after))
         return;
@@ -135,7 +145,16 @@ void History::undo()
     if (! canUndo())
         return;
 
-    const auto& entry = entries[--position];
+    auto& entry = entries[--position];
+
+    // With the focus that was chosen for it since.
+    if (entry.before.device != entry.after.device)
+    {
+        entry.after.focus = processor.state().focus;
+
+        for (auto& [name, value] : entry.after.parameters)
+            value = processor.parameters().values().at (name);
+    }
 
     if (entry.drift != nullptr)
         processor.session().tracking().setDrift (entry.drift);
@@ -167,7 +186,7 @@ void History::apply (const SessionState& wanted, const SessionState& present)
     if (isOtherDevice)
         state.device = wanted.device;
 
-    if (wanted.focus != present.focus)
+    if (wanted.focus != present.focus || isOtherDevice)
         state.focus = wanted.focus;
 
     if (wanted.mutes != present.mutes)

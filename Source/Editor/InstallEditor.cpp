@@ -13,8 +13,17 @@ void installEditor()
     {
         auto editor = std::make_unique<Editor> (processor);
         auto& content = editor->content();
-        content.setDark (readPreferences().isDark);
-        content.onTheme = [&content] { keepPreferences ({ content.isDark() }); };
+        auto& settings = content.settingsPanel();
+        const auto preferences = readPreferences();
+        content.setDark (preferences.isDark);
+        settings.setScale (preferences.scale);
+        editor->setContentScale (preferences.scale);
+        content.onTheme = [&content] { keepPreferences ({ content.isDark(), readPreferences().scale }); };
+        settings.onScale = [&content, shown = editor.get()] (double scale)
+        {
+            shown->setContentScale (scale);
+            keepPreferences ({ content.isDark(), scale });
+        };
         return editor.release();
     };
 }

@@ -33,6 +33,7 @@ void MetersStrip::setModel (const std::shared_ptr<const ModalModel>& model)
         meter->onClick = [this, i] { mute (static_cast<std::size_t> (i)); };
         addAndMakeVisible (*meter);
         meters.push_back (std::move (meter));
+        processor.session().meters().takePeak (i); // What was played before is not this device's.
         limited[static_cast<std::size_t> (i)] = processor.session().meters().limitedSamples (i);
     }
 

@@ -79,25 +79,49 @@ void PanelGroup::paint (juce::Graphics& g)
     const auto& palette = EditorLook::findPalette (*this);
     g.fillAll (palette.panel);
     g.setColour (palette.outline);
-    g.fillRect (getLocalBounds().removeFromTop (tabHeight).removeFromBottom (1));
+    g.fillRect (getLocalBounds().removeFromTop (rows * tabHeight).removeFromBottom (1));
+}
+
+/** In as many rows as it takes to show all. */
+void PanelGroup::placeTabs (juce::Rectangle<int> area)
+{
+    constexpr int largestPadding = 24, leastPadding = 14;
+    const auto font = EditorLook::font (EditorLook::smallTextHeight);
+    std::vector<int> widths;
+    auto text = 0;
+
+    for (const auto& tab : tabs)
+    {
+        widths.push_back (font.getStringWidth (tab->getButtonText()));
+        text += widths.back();
+    }
+
+    const auto count = static_cast<int> (tabs.size()), width = area.getWidth();
+    // All of the row where it is short, else no more than looks well.
+    const auto padding = count > 0 ? std::clamp ((width - text) / count, leastPadding, largestPadding) : 0;
+    auto left = 0, row = 0;
+
+    for (std::size_t i = 0; i < tabs.size(); ++i)
+    {
+        const auto wanted = std::min (widths[i] + padding, width);
+
+        if (left > 0 && left + wanted > width)
+        {
+            left = 0;
+            ++row;
+        }
+
+        tabs[i]->setBounds (area.getX() + left, row * tabHeight, wanted, tabHeight);
+        left += wanted;
+    }
+
+    rows = row + 1;
 }
 
 void PanelGroup::resized()
 {
-    auto area = getLocalBounds();
-    auto row = area.removeFromTop (tabHeight).reduced (6, 0);
-    const auto font = EditorLook::font (EditorLook::smallTextHeight);
-    const auto count = static_cast<int> (tabs.size());
-    auto text = 0;
-
-    for (const auto& tab : tabs)
-        text += font.getStringWidth (tab->getButtonText());
-
-    // All of the row where it is short, else no more than looks well.
-    const auto padding = count > 0 ? std::min (24, (row.getWidth() - text) / count) : 0;
-
-    for (const auto& tab : tabs)
-        tab->setBounds (row.removeFromLeft (font.getStringWidth (tab->getButtonText()) + padding));
+    placeTabs (getLocalBounds().reduced (6, 0));
+    const auto area = getLocalBounds().withTrimmedTop (rows * tabHeight);
 
     for (auto& panel : panels)
         if (panel.content->isVisible())

@@ -30,8 +30,11 @@ public:
     void resized() override;
 
 private:
+    void placeTabs (juce::Rectangle<int>);
+
     std::vector<Panel> panels;
     std::vector<std::unique_ptr<juce::TextButton>> tabs;
     juce::String shown;
+    int rows = 1; ///< Of tabs.
 };
 } // namespace antinode

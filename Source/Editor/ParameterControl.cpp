@@ -153,6 +153,12 @@ void ParameterControl::refreshText()
         button->setButtonText (parameter.getCurrentValueAsText());
 }
 
+bool ParameterControl::isAlongY() const
+{
+    const auto identifier = parameter.getParameterID();
+    return identifier == "y" || identifier.endsWith ("_y");
+}
+
 void ParameterControl::resized()
 {
     constexpr int nameWidth = 112;

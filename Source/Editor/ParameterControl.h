@@ -23,6 +23,9 @@ public:
     /** Shows the value's text again: texts of places are in mm of the device. */
     void refreshText();
 
+    /** Whether it is a place along y, which a line has not. */
+    bool isAlongY() const;
+
     void resized() override;
 
 private:

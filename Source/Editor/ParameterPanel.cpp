@@ -35,10 +35,13 @@ void ParameterPanel::refresh()
         control->refresh();
 }
 
-void ParameterPanel::refreshTexts()
+void ParameterPanel::refreshTexts (bool isLine)
 {
     for (const auto& control : all)
+    {
         control->refreshText();
+        control->setEnabled (! (isLine && control->isAlongY()));
+    }
 }
 
 int ParameterPanel::layOut (int width, int minimumHeight)

@@ -18,8 +18,8 @@ public:
     /** Shows what has changed. */
     void refresh();
 
-    /** Shows all texts again: the device is another one. */
-    void refreshTexts();
+    /** Shows all texts again: the device is another one. @param isLine  then nothing is along y */
+    void refreshTexts (bool isLine);
 
     /** Lays the controls out for a width, and fills a place at least so high. @return  the height that the controls
         need */

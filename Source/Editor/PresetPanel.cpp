@@ -121,7 +121,18 @@ void PresetPanel::report (const juce::String& failure, const juce::String& succe
 void PresetPanel::loadSelected()
 {
     if (const auto* const entry = selected())
-        report (presets.load (shownKind, entry->name), "Loaded " + fromUtf8 (entry->name) + ".");
+    {
+        const auto failure = presets.load (shownKind, entry->name);
+        report (failure, "Loaded " + fromUtf8 (entry->name) + ".");
+        closeAfter (failure);
+    }
+}
+
+/** It would cover what was loaded. */
+void PresetPanel::closeAfter (const juce::String& failure)
+{
+    if (failure.isEmpty() && onClose)
+        onClose();
 }
 
 void PresetPanel::saveAs (const juce::String& wanted)
@@ -149,7 +160,9 @@ void PresetPanel::removeSelected()
 
 void PresetPanel::loadFile (const juce::File& wanted)
 {
-    report (presets.load (shownKind, wanted.getFullPathName().toStdString()), "Loaded " + wanted.getFileName() + ".");
+    const auto failure = presets.load (shownKind, wanted.getFullPathName().toStdString());
+    report (failure, "Loaded " + wanted.getFileName() + ".");
+    closeAfter (failure);
 }
 
 void PresetPanel::chooseFile()

@@ -55,6 +55,7 @@ private:
     const LibraryEntry* selected() const;
     void fill();
     void report (const juce::String& failure, const juce::String& success);
+    void closeAfter (const juce::String& failure);
     void updateButtons();
     void chooseFile();
 

@@ -4,17 +4,20 @@
 #include "JuceText.h"
 
 #include <antinode_charts/Lettering.h>
-#include <antinode_session/DesignSentences.h>
+
+#include <algorithm>
+#include <utility>
 
 namespace antinode
 {
 namespace
 {
 constexpr int cornerWidth = 14; // where a window is resized
-
+constexpr int firstLine = 24, furtherLine = 18, mostLines = 4;
+constexpr double saidLasts = 20; // s
 } // namespace
 
-StatusLine::StatusLine (AntinodeProcessor& processorToShow) : processor (processorToShow)
+StatusLine::StatusLine()
 {
     setTitle ("Status");
 }
@@ -22,80 +25,82 @@ StatusLine::StatusLine (AntinodeProcessor& processorToShow) : processor (process
 void StatusLine::say (const juce::String& sentence)
 {
     said = sentence;
+    saidFor = 0;
 }
 
-StatusLine::Message StatusLine::message (const DesignPicture* picture, bool isWorking) const
+juce::String StatusLine::text() const
 {
-    const auto session = processor.session().snapshot();
-    const auto progress = processor.session().progress();
+    return shown.empty() ? juce::String() : fromUtf8 (shown.front().text);
+}
+
+Urgency StatusLine::urgency() const
+{
+    return shown.empty() ? Urgency::calm : shown.front().urgency;
+}
+
+int StatusLine::wantedHeight() const
+{
+    return firstLine + furtherLine * (std::clamp (static_cast<int> (shown.size()), 1, mostLines) - 1);
+}
+
+void StatusLine::show (std::vector<UserMessage> present, const juce::String& figures, double seconds)
+{
+    saidFor += seconds;
+
+    if (saidFor > saidLasts)
+        said.clear();
 
     if (said.isNotEmpty())
-        return { said, Level::warning };
+        present.insert (present.begin(), { Urgency::warning, said.toStdString() });
 
-    if (processor.session().meters().isMutedForBadNumbers())
-        return { "The output is muted because a sample was not finite. Load the device again.", Level::warning };
+    present = worstFirst (std::move (present));
 
-    if (const auto warning = processor.warning(); warning.isNotEmpty())
-        return { warning, Level::warning };
-
-    if (session->isSolving || session->model == nullptr)
-        return { "Solving " + fromUtf8 (processor.device()->description.name)
-                 + juce::String::fromUTF8 (" \xE2\x80\xA6") };
-
-    if (! progress.liveError.empty())
-        return { fromUtf8 (progress.liveError), Level::warning };
-
-    if (picture != nullptr && ! picture->error.empty())
-        return { fromUtf8 (picture->error), Level::warning };
-
-    if (! progress.isDone())
-        return { "Designing " + juce::String (progress.designed) + " of " + juce::String (progress.wanted)
-                 + juce::String::fromUTF8 (" positions \xE2\x80\xA6") };
-
-    if (const auto sentence = unplayableNotes (progress, session->playback.sampleRate); ! sentence.empty())
-        return { fromUtf8 (sentence), Level::caution };
-
-    if (session->isAsWritten && ! isWorking)
-        return { "Ready; every note plays the design as it was written, moving a parameter designs its focus again" };
-
-    return { isWorking ? juce::String::fromUTF8 ("Ready; rendering the charts \xE2\x80\xA6") : juce::String ("Ready") };
-}
-
-void StatusLine::refresh (const DesignPicture* picture, bool isWorking)
-{
-    const auto now = message (picture, isWorking);
-    const auto& meters = processor.session().meters();
-    const auto rate = processor.session().snapshot()->playback.sampleRate;
-    const auto numbers = (rate > 0 ? juce::String (rate / 1000, 1) + " kHz" : juce::String ("not playing")) + "    "
-                         + "voices " + juce::String (meters.voices()) + "    triggers "
-                         + juce::String (meters.triggered());
-
-    if (now.text == shown && numbers == figures && now.level == shownLevel)
+    if (present == shown && figures == figuresShown)
         return;
 
-    shown = now.text;
-    figures = numbers;
-    shownLevel = now.level;
-    setDescription (shown);
-    setTooltip (shown);
+    const auto before = wantedHeight();
+    shown = std::move (present);
+    figuresShown = figures;
+    juce::StringArray texts;
+
+    for (const auto& message : shown)
+        texts.add (fromUtf8 (message.text));
+
+    setDescription (texts.joinIntoString ("\n"));
+    setTooltip (texts.joinIntoString ("\n\n"));
     repaint();
+
+    if (onHeight && wantedHeight() != before)
+        onHeight();
 }
 
 void StatusLine::paint (juce::Graphics& g)
 {
     const auto& palette = EditorLook::findPalette (*this);
     g.fillAll (palette.panel);
-    auto area = getLocalBounds().reduced (10, 0).withTrimmedRight (cornerWidth).toFloat();
+    auto area = getLocalBounds().reduced (10, 0).toFloat();
     const TextStyle style { EditorLook::smallTextHeight, false, palette.mutedText };
-    const auto right = area.removeFromRight (textWidth (figures.toStdString(), style) + 2);
-    drawText (g, figures.toStdString(), right, juce::Justification::centredRight, style);
-    const auto isCalm = shownLevel == Level::calm;
-    const auto urgent = shownLevel == Level::warning ? palette.warning : palette.caution;
-    g.setColour (isCalm ? palette.armed : urgent);
-    g.fillEllipse (area.removeFromLeft (8).withSizeKeepingCentre (8, 8));
-    area.removeFromLeft (8);
-    area.removeFromRight (16);
-    drawText (g, shown.toStdString(), area, juce::Justification::centredLeft,
-              { EditorLook::smallTextHeight, false, isCalm ? palette.text : urgent });
+
+    for (int i = 0; i < std::min (static_cast<int> (shown.size()), mostLines); ++i)
+    {
+        const auto& [urgency, text] = shown[static_cast<std::size_t> (i)];
+        const auto isCalm = urgency == Urgency::calm;
+        const auto urgent = urgency == Urgency::warning ? palette.warning : palette.caution;
+        const auto more = static_cast<int> (shown.size()) - mostLines;
+        const auto right = (i == 0                           ? figuresShown
+                            : i + 1 == mostLines && more > 0 ? "and " + juce::String (more) + " more"
+                                                             : juce::String())
+                               .toStdString();
+        auto line = area.removeFromTop (static_cast<float> (i == 0 ? firstLine : furtherLine));
+        line.removeFromRight (cornerWidth);
+        drawText (g, right, line.removeFromRight (textWidth (right, style) + 2), juce::Justification::centredRight,
+                  style);
+        g.setColour (isCalm ? palette.armed : urgent);
+        g.fillEllipse (line.removeFromLeft (8).withSizeKeepingCentre (8, 8));
+        line.removeFromLeft (8);
+        line.removeFromRight (16);
+        drawText (g, text, line, juce::Justification::centredLeft,
+                  { EditorLook::smallTextHeight, false, isCalm ? palette.text : urgent });
+    }
 }
 } // namespace antinode

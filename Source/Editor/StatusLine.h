@@ -1,50 +1,46 @@
 #pragma once
 
-#include "DesignPicture.h"
+#include <antinode_session/UserMessages.h>
 
-#include <Processor/AntinodeProcessor.h>
+#include <juce_gui_basics/juce_gui_basics.h>
 
-#include <memory>
+#include <functional>
+#include <vector>
 
 namespace antinode
 {
-/** One sentence: the work in progress, or what is wrong. [message thread] */
+/** The messages of a window, the worst first, one below the other: as high as they need. [message thread] */
 class StatusLine final : public juce::Component, public juce::SettableTooltipClient
 {
 public:
-    /** The urgency of a sentence. */
-    enum class Level
-    {
-        calm,
-        caution, ///< Something other than the focus cannot be played.
-        warning
-    };
+    StatusLine();
 
-    explicit StatusLine (AntinodeProcessor&);
+    /** @param present  in any order, those whose cause lasts
+        @param figures  what stands at the right
+        @param seconds  since the last call */
+    void show (std::vector<UserMessage> present, const juce::String& figures, double seconds);
 
-    /** @param picture    the newest one, or none
-        @param isWorking  whether a newer one is being worked out */
-    void refresh (const DesignPicture* picture, bool isWorking);
-
-    /** Shows a sentence until the next one, for example why a click had no effect. */
+    /** Shows a sentence for some seconds, or until the next one, for example why a click had no effect. */
     void say (const juce::String& sentence);
 
-    juce::String text() const { return shown; }
-    Level level() const { return shownLevel; }
+    /** The worst message. */
+    juce::String text() const;
+    Urgency urgency() const;
+
+    /** All of them. */
+    const std::vector<UserMessage>& messages() const { return shown; }
+
+    /** Pixels that the messages need. */
+    int wantedHeight() const;
+
+    /** Called after it has become another one. */
+    std::function<void()> onHeight;
 
     void paint (juce::Graphics&) override;
 
 private:
-    struct Message
-    {
-        juce::String text;
-        Level level = Level::calm;
-    };
-
-    Message message (const DesignPicture* picture, bool isWorking) const;
-
-    AntinodeProcessor& processor;
-    juce::String said, shown, figures;
-    Level shownLevel = Level::calm;
+    std::vector<UserMessage> shown;
+    juce::String said, figuresShown;
+    double saidFor = 0; ///< s
 };
 } // namespace antinode

@@ -40,17 +40,24 @@ CurvePiece curvePoints (const PlotFrame& frame, const Eigen::VectorXd& x, const 
 void drawNumbers (juce::Graphics& g, const PlotFrame& frame, const std::vector<MapRectangle>& ceramics,
                   const Theme& theme)
 {
-    for (std::size_t i = 0; i < ceramics.size(); ++i)
+    constexpr auto usual = 10.0f, smallest = 6.0f;
+    TextStyle style { usual, false, theme.text };
+    const auto areaOf = [&frame] (const MapRectangle& ceramic)
     {
-        const auto& ceramic = ceramics[i];
-        const juce::Rectangle<float> area (frame.at (ceramic.xMinimum, ceramic.yMaximum),
-                                           frame.at (ceramic.xMaximum, ceramic.yMinimum));
-        const auto number = std::to_string (i + 1);
-        const TextStyle style { 10, false, theme.text };
+        return juce::Rectangle<float> (frame.at (ceramic.xMinimum, ceramic.yMaximum),
+                                       frame.at (ceramic.xMaximum, ceramic.yMinimum));
+    };
 
-        if (textWidth (number, style) < area.getWidth())
-            drawText (g, number, area, juce::Justification::centred, style);
-    }
+    // All in one size, so that 10 is there where 9 is.
+    for (std::size_t i = 0; i < ceramics.size(); ++i)
+        if (const auto fitting = usual * areaOf (ceramics[i]).getWidth()
+                                 / (textWidth (std::to_string (i + 1), { usual, false, {} }) + 1);
+            fitting >= smallest)
+            style.height = std::min (style.height, fitting);
+
+    for (std::size_t i = 0; i < ceramics.size(); ++i)
+        if (const auto number = std::to_string (i + 1); textWidth (number, style) < areaOf (ceramics[i]).getWidth())
+            drawText (g, number, areaOf (ceramics[i]), juce::Justification::centred, style);
 }
 } // namespace
 

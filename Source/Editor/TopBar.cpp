@@ -50,7 +50,7 @@ void TopBar::NameButton::paintButton (juce::Graphics& g, bool isOver, bool isDow
 }
 
 TopBar::TopBar (AntinodeProcessor& processorToShow, History& historyToShow)
-    : processor (processorToShow), history (historyToShow),
+    : history (historyToShow),
       armLink (processorToShow.parameters().arm(), [this] (float value) { showArm (value >= 0.5f); })
 {
     setTitle ("Commands");
@@ -63,12 +63,6 @@ TopBar::TopBar (AntinodeProcessor& processorToShow, History& historyToShow)
     undo.setTooltip ("Undo. Keys: Ctrl Z");
     redo.setTooltip ("Redo. Keys: Ctrl Shift Z");
     theme.setTooltip ("Light or dark. Key: T");
-    graph.setTitle ("Open graph");
-    graph.setTooltip (
-        "Open graph: forces, allocation, gains, limiter and plate run as separate nodes, with the same samples at a "
-        "higher cost. Needed only if custom nodes are inserted");
-    graph.setClickingTogglesState (true);
-    graph.onClick = [this] { processor.session().setGraphOpen (graph.getToggleState()); };
     arm.setTooltip ("If armed, triggers put voltage on the ceramics; if disarmed, all ceramics stay at 0 V. Key: A");
     fire.setTooltip ("Fires the focus at its own position. Keys: Space, Return on the surface");
     stop.setTooltip ("Fades out all playing foci. Key: Escape");
@@ -93,8 +87,7 @@ TopBar::TopBar (AntinodeProcessor& processorToShow, History& historyToShow)
     for (juce::Button* const button :
          { static_cast<juce::Button*> (&device), static_cast<juce::Button*> (&focus),
            static_cast<juce::Button*> (&undo), static_cast<juce::Button*> (&redo), static_cast<juce::Button*> (&theme),
-           static_cast<juce::Button*> (&graph), static_cast<juce::Button*> (&arm), static_cast<juce::Button*> (&fire),
-           static_cast<juce::Button*> (&stop) })
+           static_cast<juce::Button*> (&arm), static_cast<juce::Button*> (&fire), static_cast<juce::Button*> (&stop) })
         addAndMakeVisible (button);
 }
 
@@ -109,7 +102,6 @@ void TopBar::refresh (const juce::String& deviceName, const juce::String& focusN
     armLink.refresh();
     device.setLoaded (deviceName);
     focus.setLoaded (focusName);
-    graph.setToggleState (processor.session().isGraphOpen(), juce::dontSendNotification);
     undo.setEnabled (history.canUndo());
     redo.setEnabled (history.canRedo());
 }
@@ -121,7 +113,6 @@ void TopBar::lookAndFeelChanged()
     for (auto* const button : { &undo, &redo, &theme })
         colour (*button, palette.raised, palette.raised, palette.text, palette.text);
 
-    colour (graph, palette.raised, palette.accent, palette.mutedText, palette.onStrong);
     colour (arm, palette.raised, palette.armed, palette.mutedText, palette.onStrong);
     colour (fire, palette.fire, palette.fire, palette.onStrong, palette.onStrong);
     colour (stop, palette.raised, palette.raised, palette.warning, palette.warning);
@@ -141,9 +132,6 @@ void TopBar::resized()
     area.removeFromRight (barGap);
     arm.setBounds (area.removeFromRight (84));
     area.removeFromRight (2 * barMargin);
-
-    graph.setBounds (area.removeFromRight (54));
-    area.removeFromRight (barGap);
 
     for (auto* const button : { &theme, &redo, &undo })
     {

@@ -42,10 +42,9 @@ private:
 
     void showArm (bool isArmed);
 
-    AntinodeProcessor& processor;
     History& history;
     NameButton device { "Device" }, focus { "Focus" };
-    juce::TextButton undo, redo, theme, graph { "Open" }, arm { "Disarmed" }, fire { "FIRE" }, stop { "STOP" };
+    juce::TextButton undo, redo, theme, arm { "Disarmed" }, fire { "FIRE" }, stop { "STOP" };
     ParameterLink armLink;
 };
 } // namespace antinode

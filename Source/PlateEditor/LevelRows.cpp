@@ -13,6 +13,7 @@ namespace
 constexpr double lowestLevel = -60; // dB below a full bar
 constexpr double fallPerSecond = 0.8, holdSeconds = 3;
 constexpr int rowHeight = 22, titleHeight = 24, margin = 8;
+constexpr float columnGap = 20; // A value must not be read with the number of the row beside it.
 
 double clampedShare (double value, double full)
 {
@@ -68,7 +69,7 @@ void LevelRows::paint (juce::Graphics& g)
     const auto lines = std::max (1, static_cast<int> (area.getHeight()) / rowHeight);
     const auto count = static_cast<int> (rows.size());
     const auto columns = (count + lines - 1) / lines;
-    const auto width = area.getWidth() / static_cast<float> (columns);
+    const auto width = (area.getWidth() + columnGap) / static_cast<float> (columns);
 
     for (int i = 0; i < count; ++i)
     {
@@ -76,7 +77,7 @@ void LevelRows::paint (juce::Graphics& g)
         const auto line = i % lines;
         paintRow (g,
                   { area.getX() + width * static_cast<float> (column),
-                    area.getY() + static_cast<float> (rowHeight * line), width - 6, rowHeight },
+                    area.getY() + static_cast<float> (rowHeight * line), width - columnGap, rowHeight },
                   rows[static_cast<std::size_t> (i)], levels[static_cast<std::size_t> (i)]);
     }
 }

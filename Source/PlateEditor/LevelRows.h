@@ -25,6 +25,9 @@ public:
     /** Other rows; those that keep their number keep their levels. */
     void setRows (std::vector<Row>);
 
+    /** Levels and held values begin again: they were another device's. */
+    void forget() { levels.assign (rows.size(), {}); }
+
     /** @param values   one a row: the largest magnitudes since the last call
         @param seconds  since the last call */
     void refresh (const std::vector<double>& values, double seconds);

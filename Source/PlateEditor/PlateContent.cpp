@@ -10,7 +10,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int topHeight = 44, statusHeight = 24, gap = 6;
+constexpr int topHeight = 44, gap = 6;
 constexpr double fullVelocity = 1000; // mm/s, of a full bar
 } // namespace
 
@@ -36,11 +36,13 @@ PlateContent::PlateContent (PlateProcessor& processorToShow)
          { static_cast<juce::Component*> (&device), static_cast<juce::Component*> (&hold),
            static_cast<juce::Component*> (&theme), static_cast<juce::Component*> (&time),
            static_cast<juce::Component*> (&surfaceView), static_cast<juce::Component*> (&spectrum),
-           static_cast<juce::Component*> (&probes), static_cast<juce::Component*> (&voltages) })
+           static_cast<juce::Component*> (&probes), static_cast<juce::Component*> (&voltages),
+           static_cast<juce::Component*> (&statusView) })
         addAndMakeVisible (child);
 
+    statusView.onHeight = [this] { resized(); };
     setDark (true);
-    setSize (minimumWidth, minimumHeight);
+    setSize (sizes.leastWidth, sizes.leastHeight);
     refresh (0);
 }
 
@@ -79,6 +81,12 @@ void PlateContent::refresh (double seconds)
 {
     if (auto now = processor.session().snapshot(); now != snapshot)
     {
+        if (snapshot == nullptr || now->model != snapshot->model)
+        {
+            probes.forget();
+            voltages.forget();
+        }
+
         snapshot = std::move (now);
         motion->watch (snapshot);
         device.setDevice (*processor.device());
@@ -90,7 +98,7 @@ void PlateContent::refresh (double seconds)
     surfaceView.refresh();
     nameRows();
     showLevels (seconds);
-    showStatus();
+    showStatus (seconds);
 }
 
 /** Goes through the window; at its end the next one is asked for, and this one is shown again until it comes. */
@@ -182,18 +190,15 @@ void PlateContent::showLevels (double seconds)
     voltages.refresh (values, seconds);
 }
 
-void PlateContent::showStatus()
+void PlateContent::showStatus (double seconds)
 {
-    auto text = device.error().isNotEmpty() ? device.error() : processor.warning();
+    auto messages = processor.messages();
+    addMessage (messages, Urgency::warning, device.error().toStdString());
 
-    if (text.isEmpty())
-        text = snapshot->isSolving ? juce::String ("Solving the device.") : juce::String();
+    if (snapshot->isSolving)
+        addMessage (messages, Urgency::calm, "Solving the device.");
 
-    if (text != statusText)
-    {
-        statusText = text;
-        repaint();
-    }
+    statusView.show (std::move (messages), {}, seconds);
 }
 
 void PlateContent::loadDevice (const std::string& nameOrFile)
@@ -208,18 +213,13 @@ void PlateContent::paint (juce::Graphics& g)
     auto area = getLocalBounds();
     g.setColour (palette.panel);
     g.fillRect (area.removeFromTop (topHeight));
-    g.fillRect (area.removeFromBottom (statusHeight));
-    g.setColour (palette.caution);
-    g.setFont (EditorLook::font (EditorLook::smallTextHeight));
-    g.drawText (statusText, getLocalBounds().removeFromBottom (statusHeight).reduced (10, 0),
-                juce::Justification::centredLeft);
 }
 
 void PlateContent::resized()
 {
     auto area = getLocalBounds();
     auto top = area.removeFromTop (topHeight).reduced (8, 6);
-    area.removeFromBottom (statusHeight);
+    statusView.setBounds (area.removeFromBottom (statusView.wantedHeight()));
     device.setBounds (top.removeFromLeft (240));
     theme.setBounds (top.removeFromRight (34));
     top.removeFromRight (gap);

@@ -8,6 +8,8 @@
 #include <Editor/DeviceButton.h>
 #include <Editor/EditorLook.h>
 #include <Editor/LocalTooltips.h>
+#include <Editor/StatusLine.h>
+#include <Editor/WindowScale.h>
 
 #include <antinode_base/BackgroundThread.h>
 
@@ -21,7 +23,8 @@ namespace antinode
 class PlateContent final : public juce::Component
 {
 public:
-    static constexpr int minimumWidth = 720, minimumHeight = 460;
+    static constexpr ContentSizes sizes { 720, 460, 1300, 800 };
+    static constexpr int usualWidth = 1040, usualHeight = 640, framesPerSecond = 30;
     static constexpr double secondsOfWindow = 4; ///< That a captured window is shown for.
 
     explicit PlateContent (PlateProcessor&);
@@ -47,7 +50,7 @@ public:
     /** Loads a device of the library, or of a file. What is wrong with it stands in the status line. */
     void loadDevice (const std::string& nameOrFile);
 
-    juce::String status() const { return statusText; }
+    juce::String status() const { return statusView.text(); }
 
     void paint (juce::Graphics&) override;
     void resized() override;
@@ -57,7 +60,7 @@ private:
     void showPicture();
     void showLevels (double seconds);
     void nameRows();
-    void showStatus();
+    void showStatus (double seconds);
 
     PlateProcessor& processor;
     juce::SharedResourcePointer<EditorLook> fonts; ///< Of JUCE's own windows: menus and alerts.
@@ -76,6 +79,6 @@ private:
     SurfaceSettings namedSettings;
     int namedProbes = 0;
     double position = 0; ///< s since the window's first frame.
-    juce::String statusText;
+    StatusLine statusView;
 };
 } // namespace antinode

@@ -20,24 +20,25 @@ PlateProcessor::~PlateProcessor()
     end();
 }
 
-juce::String PlateProcessor::ownWarning()
+std::vector<UserMessage> PlateProcessor::ownMessages()
 {
     const auto now = surface->snapshot();
     const auto channels = getChannelCountOfBus (true, 0);
     const auto ceramics = now->model != nullptr ? static_cast<int> (now->model->actuators()) : 0;
-
-    if (! now->error.empty())
-        return juce::String::fromUTF8 (now->error.c_str());
+    std::vector<UserMessage> messages;
+    addMessage (messages, Urgency::warning, now->error);
 
     if (surface->meters().isMutedForBadNumbers())
-        return "A voltage was not a finite number: the surface gets 0 V until playback starts again.";
+        addMessage (messages, Urgency::warning,
+                    "A voltage was not a finite number: the surface gets 0 V until playback starts again.");
 
     if (ceramics > channels)
-        return "The device has " + juce::String (ceramics) + " ceramics, but the input has only "
-               + juce::String (channels) + (channels == 1 ? " channel" : " channels") + ": ceramics "
-               + juce::String (channels + 1) + " and up get 0 V.";
+        addMessage (messages, Urgency::warning,
+                    "The device has " + std::to_string (ceramics) + " ceramics, but the input has only "
+                        + std::to_string (channels) + (channels == 1 ? " channel" : " channels") + ": ceramics "
+                        + std::to_string (channels + 1) + " and up get 0 V.");
 
-    return {};
+    return messages;
 }
 
 template <typename Sample>

@@ -53,7 +53,7 @@ private:
     }
     StepReports& stepReports() override { return controls->stepReports(); }
     std::int64_t latencyToReport() const override { return surface->latencySamples(); }
-    juce::String ownWarning() override;
+    std::vector<UserMessage> ownMessages() override;
     void playChannels (const EffectBlock<float>&) override;
     void playChannels (const EffectBlock<double>&) override;
     template <typename Sample>

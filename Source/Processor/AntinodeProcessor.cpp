@@ -2,6 +2,8 @@
 
 #include "VST3Channels.h"
 
+#include <antinode_session/TrackingWords.h>
+
 #include <utility>
 
 namespace antinode
@@ -35,7 +37,8 @@ AntinodeProcessor::AntinodeProcessor (int ceramics, WrapperType wrapperToUse)
 
     controls->setFocus (settingsFromFocus (loadedFocus->description, deviceExtent (loadedDevice->description), {}));
     player = std::make_unique<Session> (
-        *loadedDevice, *loadedFocus, [this] { return readSettings(); }, [this] { changes.post(); });
+        *loadedDevice, *loadedFocus, [this] { return readSettings(); }, [this] { changes.post(); },
+        [this] (const auto& chosen, const auto& before) { return takeFocus (chosen, before); });
     bufferChannels.lay (*this, wrapper);
     changes.begin();
 }
@@ -51,11 +54,17 @@ void AntinodeProcessor::load (std::shared_ptr<const DeviceDocument> newDevice,
     {
         const juce::ScopedLock lock (documents);
 
+        // The same device again is no other one: its focus stays.
+        if (newDevice != nullptr && newFocus == nullptr && newDevice->text == loadedDevice->text)
+            newFocus = loadedFocus;
+
         if (newDevice != nullptr)
             loadedDevice = newDevice;
 
         if (newFocus != nullptr)
             loadedFocus = touchedFocus = newFocus;
+
+        stateWarning.clear();
     }
 
     if (newDevice != nullptr)
@@ -67,6 +76,23 @@ void AntinodeProcessor::load (std::shared_ptr<const DeviceDocument> newDevice,
     controls->setFocus (
         settingsFromFocus (focus()->description, deviceExtent (device()->description), controls->settings()));
     player->load (std::move (newDevice), std::move (newFocus));
+}
+
+/** On the session's thread. Parameters follow at once, so that nothing else is designed. */
+bool AntinodeProcessor::takeFocus (const std::shared_ptr<const FocusDocument>& chosen, const FocusDocument& before)
+{
+    {
+        const juce::ScopedLock lock (documents);
+
+        if (! sayTheSame (*touchedFocus, before))
+            return false;
+
+        loadedFocus = touchedFocus = chosen;
+    }
+    controls->setFocus (
+        settingsFromFocus (chosen->description, deviceExtent (device()->description), controls->settings()));
+    changes.post();
+    return true;
 }
 
 std::shared_ptr<const DeviceDocument> AntinodeProcessor::device() const
@@ -81,29 +107,37 @@ std::shared_ptr<const FocusDocument> AntinodeProcessor::focus() const
     return touchedFocus;
 }
 
-juce::String AntinodeProcessor::warning() const
+std::vector<UserMessage> AntinodeProcessor::messages() const
 {
     const auto now = player->snapshot();
+    const auto progress = player->progress();
     // Not the order of the channels: a host may be preparing us on another thread.
     const auto channels = getChannelCountOfBus (false, 0);
     const auto ceramics = now->model != nullptr ? static_cast<int> (now->model->actuators()) : 0;
-    const juce::ScopedLock lock (documents);
+    std::vector<UserMessage> messages;
+    {
+        const juce::ScopedLock lock (documents);
+        addMessage (messages, Urgency::warning, stateWarning.toStdString());
+    }
+    if (player->meters().isMutedForBadNumbers())
+        addMessage (messages, Urgency::warning,
+                    "The output is muted because a sample was not finite. Load the device again.");
 
-    if (stateWarning.isNotEmpty())
-        return stateWarning;
+    addMessage (messages, Urgency::warning, now->deviceError);
 
-    if (! now->deviceError.empty())
-        return juce::String::fromUTF8 (now->deviceError.c_str());
-
-    if (const auto error = player->progress().liveError; ! error.empty())
-        return juce::String::fromUTF8 (error.c_str());
+    // Those of the device before are over.
+    if (! now->isSolving)
+        addMessage (messages, Urgency::warning, progress.liveError);
 
     if (ceramics > channels)
-        return "The device has " + juce::String (ceramics) + " ceramics, but this bus has only "
-               + juce::String (channels) + " channels: ceramic " + juce::String (channels + 1)
-               + " and above stay at 0 V.";
+        addMessage (messages, Urgency::warning,
+                    "The device has " + std::to_string (ceramics) + " ceramics, but this bus has only "
+                        + std::to_string (channels) + " channels: ceramic " + std::to_string (channels + 1)
+                        + " and above stay at 0 V.");
 
-    return {};
+    const auto tracked = trackingMessage (*player->tracking().status());
+    addMessage (messages, tracked.urgency, tracked.text);
+    return messages;
 }
 
 void AntinodeProcessor::setWarning (const juce::String& text)

@@ -3,6 +3,7 @@
 #include "BufferChannels.h"
 #include "ChangeMessages.h"
 #include "DescribedModel.h"
+#include "FirstWarning.h"
 #include "Parameters.h"
 #include "VST3Extensions.h"
 
@@ -37,8 +38,8 @@ public:
     Session& session() { return *player; }
     Parameters& parameters() { return *controls; }
 
-    /** Loads a device, a focus, or both (none: the present one stays), and sets the parameters to the focus.
-        [message thread] */
+    /** Loads a device, a focus, or both, and sets the parameters to the focus. Another device alone gets a focus that
+       suits it as soon as it is solved. [message thread] */
     void load (std::shared_ptr<const DeviceDocument>, std::shared_ptr<const FocusDocument>);
 
     /** Puts other fingers on the surface; parameters stay as they are. Touches among them remain touches.
@@ -67,9 +68,12 @@ public:
     std::uint64_t mutes() const { return mutedCeramics; }
     void setMutes (std::uint64_t mask) { mutedCeramics = mask; }
 
-    /** A warning for the user: an unreadable state, missing channels; empty if there is none. [any but the audio
-        thread] */
-    juce::String warning() const;
+    /** What the user must know: an unreadable state, missing channels, what cannot be designed or tracked. [any but the
+        audio thread] */
+    std::vector<UserMessage> messages() const;
+
+    /** The first warning among them, or empty. [any but the audio thread] */
+    juce::String warning() const { return firstWarning (messages()); }
 
     /** Called on the message thread after the session or the state have changed. [message thread] */
     std::function<void()> onChange;
@@ -109,6 +113,7 @@ private:
     template <typename Sample>
     void play (juce::AudioBuffer<Sample>&, const juce::MidiBuffer&, bool isBypassed);
     std::shared_ptr<const FocusDocument> keptFocus() const;
+    bool takeFocus (const std::shared_ptr<const FocusDocument>& chosen, const FocusDocument& before);
     void putDown (const std::vector<Finger>& own, const std::vector<Finger>& touching);
     void reportLatency();
     void reportChanges();

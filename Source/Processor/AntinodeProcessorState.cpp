@@ -57,7 +57,11 @@ void AntinodeProcessor::setState (const SessionState& wanted, bool isRestored)
     mutedCeramics = wanted.mutes;
     player->setGraphOpen (wanted.isGraphOpen);
     player->tracking().setSettings (wanted.tracking);
-    player->load (isOtherDevice ? wanted.device : nullptr, isOtherFocus ? wanted.focus : nullptr);
+
+    if (isOtherDevice)
+        player->load (wanted.device, isOtherFocus ? wanted.focus : focus());
+    else if (isOtherFocus)
+        player->load (nullptr, wanted.focus);
 }
 
 void AntinodeProcessor::setFingers (const std::vector<Finger>& fingers)

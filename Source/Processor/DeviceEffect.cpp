@@ -103,15 +103,15 @@ void DeviceEffect::setStateInformation (const void* data, int size)
     changes.post();
 }
 
-juce::String DeviceEffect::warning()
+std::vector<UserMessage> DeviceEffect::messages()
 {
-    {
-        const juce::ScopedLock lock (documents);
+    auto messages = ownMessages();
+    const juce::ScopedLock lock (documents);
 
-        if (stateWarning.isNotEmpty())
-            return stateWarning;
-    }
-    return ownWarning();
+    if (stateWarning.isNotEmpty())
+        messages.insert (messages.begin(), { Urgency::warning, stateWarning.toStdString() });
+
+    return messages;
 }
 
 bool DeviceEffect::isBusesLayoutSupported (const BusesLayout& layout) const

@@ -2,6 +2,7 @@
 
 #include "ChangeMessages.h"
 #include "DescribedModel.h"
+#include "FirstWarning.h"
 #include "StepParameters.h"
 #include "VST3Extensions.h"
 
@@ -45,8 +46,11 @@ public:
     DeviceState state() const;
     void setState (const DeviceState&);
 
-    /** What the user must know, in one sentence; empty where all is well. [any but the audio thread] */
-    juce::String warning();
+    /** What the user must know. [any but the audio thread] */
+    std::vector<UserMessage> messages();
+
+    /** The first warning among them, or empty. [any but the audio thread] */
+    juce::String warning() { return firstWarning (messages()); }
 
     /** Called on the message thread after the session or the state have changed. [message thread] */
     std::function<void()> onChange;
@@ -122,7 +126,7 @@ private:
     virtual void setValues (const std::map<std::string, double>&, const DeviceDocument&) = 0;
     virtual StepReports& stepReports() = 0;
     virtual std::int64_t latencyToReport() const = 0;
-    virtual juce::String ownWarning() = 0;
+    virtual std::vector<UserMessage> ownMessages() = 0;
     virtual std::shared_ptr<const FocusDocument> keptFocus() const { return nullptr; } ///< Of effects that have one.
     virtual void takeFocus (const std::shared_ptr<const FocusDocument>&) {}
     virtual void takeNotes (const juce::MidiBuffer&, int) {} ///< Of the block whose channels come next.

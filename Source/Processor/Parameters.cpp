@@ -84,7 +84,7 @@ Parameters::Parameters (juce::AudioProcessor& processor,
     GroupBuilder output (processor, "output", "Output", ordered);
     outputTrim = output.number ("output_trim", "Output trim", "dB", { silentDecibels, 0 }, 0,
                                 unitTexts ("dB", 1, silentText, "silent"));
-    armed = output.flag ("arm", "Arm", true, "armed, not restored", "disarmed", false);
+    armed = output.flag ("arm", "Arm", true, "armed", "disarmed", false);
     bypassed = output.flag ("bypass", "Bypass", false, "bypassed", "playing");
     output.addToProcessor();
     steps = std::make_unique<StepReports> (ordered);
@@ -130,26 +130,30 @@ PlayControls Parameters::controls() const
     return now;
 }
 
+std::vector<juce::RangedAudioParameter*> Parameters::ofFocus() const
+{
+    return { x, y, width, shape, peakVelocity, focusTime, growth, brake, method, voltageLimit, modes, probeX, probeY };
+}
+
 void Parameters::setFocus (const PlaySettings& settings)
 {
-    const std::pair<juce::RangedAudioParameter*, float> wanted[] = {
-        { x, settings.xPercent },
-        { y, settings.yPercent },
-        { width, settings.widthMillimetres },
-        { shape, static_cast<float> (wordIndex (targetShapeWords, settings.shape)) },
-        { peakVelocity, settings.peakVelocityMillimetresPerSecond },
-        { focusTime, settings.focusTimeMilliseconds },
-        { growth, settings.growth },
-        { brake, settings.brake },
-        { method, static_cast<float> (wordIndex (allocationMethodWords, settings.method)) },
-        { voltageLimit, settings.voltageLimitVolts },
-        { modes, static_cast<float> (settings.modeCount) },
-        { probeX, settings.probeXPercent },
-        { probeY, settings.probeYPercent },
-    };
+    const std::array wanted { settings.xPercent,
+                              settings.yPercent,
+                              settings.widthMillimetres,
+                              static_cast<float> (wordIndex (targetShapeWords, settings.shape)),
+                              settings.peakVelocityMillimetresPerSecond,
+                              settings.focusTimeMilliseconds,
+                              settings.growth,
+                              settings.brake,
+                              static_cast<float> (wordIndex (allocationMethodWords, settings.method)),
+                              settings.voltageLimitVolts,
+                              static_cast<float> (settings.modeCount),
+                              settings.probeXPercent,
+                              settings.probeYPercent };
+    const auto parameters = ofFocus();
 
-    for (const auto& [parameter, value] : wanted)
-        setValue (*parameter, static_cast<double> (value));
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        setValue (*parameters[i], static_cast<double> (wanted[i]));
 }
 
 std::map<std::string, double> Parameters::values() const

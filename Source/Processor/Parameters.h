@@ -31,8 +31,11 @@ public:
     /** The settings that take effect immediately, without mutes. [any] */
     PlayControls controls() const;
 
-    /** Sets the parameters that a focus determines, and tells the host. [message thread] */
+    /** Sets the parameters that a focus determines, and tells the host. [any but the audio thread] */
     void setFocus (const PlaySettings&);
+
+    /** Those. [any] */
+    std::vector<juce::RangedAudioParameter*> ofFocus() const;
 
     /** All by identifier, in the units of their texts. [any] */
     std::map<std::string, double> values() const;

@@ -10,13 +10,14 @@ namespace antinode
 namespace
 {
 constexpr int hostTickMilliseconds = 50;
+constexpr juce::uint32 retryMilliseconds = 2000;
 constexpr int rampPatience = 500; // ms, for the end of the ramp of a device that may have died
 } // namespace
 
 AudioHost::AudioHost (SettingsFile fileToUse, bool keepsSettings)
     : kept (fileToUse.load()), file (std::move (fileToUse)), keeps (keepsSettings)
 {
-    warn (file.warning());
+    warn (file.warning(), MessageSource::settings);
 }
 
 AudioHost::~AudioHost() = default;
@@ -53,7 +54,7 @@ void AudioHost::openAudio (const AudioChoice& choice)
     waitForSilence();
     deviceManager.closeAudioDevice();
     watch.end();
-    ownWarning.clear();
+    failures.erase (MessageSource::audio);
 
     if (! wasMuted)
         outputRouter.release();
@@ -72,33 +73,46 @@ void AudioHost::setRouting (const OutputRouting& routing)
     triggerAsyncUpdate();
 }
 
+void AudioHost::setScale (double scale)
+{
+    kept.scale = scale;
+    triggerAsyncUpdate();
+}
+
 void AudioHost::setDark (bool isDark)
 {
     kept.isDark = isDark;
     triggerAsyncUpdate();
 }
 
-bool AudioHost::succeeds (const std::function<void()>& action)
+bool AudioHost::attempt (MessageSource source, const std::function<void()>& action)
 {
     try
     {
         action();
+        failures.erase (source);
         return true;
     }
     catch (const InputError& failure)
     {
-        warn (failure.what());
+        warn (failure.what(), source);
         return false;
     }
 }
 
+juce::String AudioHost::message (MessageSource source) const
+{
+    const auto found = failures.find (source);
+    return found == failures.end() ? juce::String() : juce::String::fromUTF8 (found->second.c_str());
+}
+
 void AudioHost::openAll (const StandaloneSettings& wanted)
 {
-    succeeds ([&] { setTouch (wanted.touch); });
+    attempt (MessageSource::ports, [&] { setTouch (wanted.touch); });
 
     // A device that has other rates or fewer channels than last time is better than none.
-    if (! succeeds ([&] { openAudio (wanted.audio); }))
-        succeeds ([&] { openAudio ({ wanted.audio.type, wanted.audio.device, 0, 0, {} }); });
+    if (! attempt (MessageSource::audio, [&] { openAudio (wanted.audio); }))
+        attempt (MessageSource::audio, [&] { openAudio ({ wanted.audio.type, wanted.audio.device, 0, 0, {} }); });
 }
 
 void AudioHost::muteAll()
@@ -142,17 +156,23 @@ float AudioHost::takePeakVolts()
     return peak;
 }
 
-juce::String AudioHost::warning()
+std::vector<UserMessage> AudioHost::messages()
 {
-    if (ownWarning.isNotEmpty())
-        return ownWarning;
+    std::vector<UserMessage> messages;
 
     if (hasDeviceStopped())
-        return "The audio device has stopped, and nothing plays. Once it is there again, press Refresh in Settings, "
-               "Audio device.";
+        addMessage (messages, Urgency::warning,
+                    "The audio device has stopped, and nothing plays. Once it is there again, press Refresh in "
+                    "Settings, Audio device.");
 
-    const auto ofPlayer = playerWarning();
-    return ofPlayer.isNotEmpty() ? ofPlayer : silentCeramics();
+    for (const auto& [source, text] : failures)
+        addMessage (messages, Urgency::warning, text);
+
+    for (auto& message : playerMessages())
+        messages.push_back (std::move (message));
+
+    addMessage (messages, Urgency::warning, silentCeramics().toStdString());
+    return worstFirst (std::move (messages));
 }
 
 juce::String AudioHost::silentCeramics()
@@ -192,7 +212,7 @@ void AudioHost::keepOpened()
     if (auto toKeep = audioToKeep (std::move (opened)); toKeep != kept.audio)
     {
         kept.audio = std::move (toKeep);
-        ownWarning.clear();
+        failures.erase (MessageSource::audio);
     }
 }
 
@@ -208,6 +228,7 @@ void AudioHost::timerCallback()
 {
     outputRouter.collect();
     tick();
+    retryPorts();
 
     if (const auto now = generation(); std::exchange (seenGeneration, now) != now)
     {
@@ -225,6 +246,18 @@ void AudioHost::timerCallback()
     }
 }
 
+/** A port that another program had may be free by now. */
+void AudioHost::retryPorts()
+{
+    const auto now = juce::Time::getMillisecondCounter();
+
+    if (failures.count (MessageSource::ports) == 0 || now - portsTried < retryMilliseconds)
+        return;
+
+    portsTried = now;
+    attempt (MessageSource::ports, [this] { setTouch (kept.touch); });
+}
+
 /** With the limits of the ceramics, which the identify tone needs. What an output cannot give is a limit of what plays.
  */
 void AudioHost::passRouting()
@@ -239,11 +272,11 @@ void AudioHost::save()
     if (! keeps)
         return;
 
-    succeeds (
-        [this]
-        {
-            keepState (kept);
-            file.save (kept);
-        });
+    attempt (MessageSource::saving,
+             [this]
+             {
+                 keepState (kept);
+                 file.save (kept);
+             });
 }
 } // namespace antinode

@@ -4,13 +4,29 @@
 #include "DeviceWatch.h"
 #include "SettingsFile.h"
 
+#include <Processor/FirstWarning.h>
+
 #include <antinode_session/LevelMeters.h>
+#include <antinode_session/UserMessages.h>
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace antinode
 {
+/** What a message of the program itself is about: each has one, until what was attempted succeeds. */
+enum class MessageSource
+{
+    audio,
+    ports,
+    fingers,
+    settings, ///< That could not be read.
+    saving
+};
+
 /** The standalone program without its windows and without what it plays: device, routing, and saved settings. Who
     derives from it adds the processor, calls begin() when all is made and end() before anything of it goes. Starts
     disarmed. */
@@ -37,6 +53,7 @@ public:
 
     /** Kept only: the window shows it. [message thread] */
     void setDark (bool isDark);
+    void setScale (double);
 
     /** Opens what the settings say of audio and touch, and keeps them; what cannot be opened becomes a warning.
         [message thread] */
@@ -50,8 +67,17 @@ public:
         0.5 s */
     virtual void shutDown();
 
-    /** A warning for the user, or empty. [message thread] */
-    juce::String warning();
+    /** Does what may fail. Its message stands until it has succeeded. @return  whether it did [message thread] */
+    bool attempt (MessageSource, const std::function<void()>& action);
+
+    /** What failed last, or empty. [message thread] */
+    juce::String message (MessageSource) const;
+
+    /** All that there is to say, the worst first. [message thread] */
+    std::vector<UserMessage> messages();
+
+    /** The first warning among them, or empty. [message thread] */
+    juce::String warning() { return firstWarning (messages()); }
 
     /** A warning about ceramics whose outputs the device does not have, or empty. [message thread] */
     juce::String silentCeramics();
@@ -108,17 +134,15 @@ protected:
     /** Something has changed: settings are kept, the window is told. [message thread] */
     void tellChange() { triggerAsyncUpdate(); }
 
-    /** Runs an action that may fail: that becomes the warning. @return  whether it did not */
-    bool succeeds (const std::function<void()>& action);
-
-    void warn (const std::string& text) { ownWarning = juce::String::fromUTF8 (text.c_str()); }
+    /** Says so until what it is about succeeds. */
+    void warn (const std::string& text, MessageSource source = MessageSource::audio) { failures[source] = text; }
 
     StandaloneSettings kept;
 
 private:
     virtual void keepState (StandaloneSettings&) = 0; ///< What plays, into the settings.
     virtual void passAmplifiers (const std::vector<double>& /*volts*/) {}
-    virtual juce::String playerWarning() = 0;
+    virtual std::vector<UserMessage> playerMessages() = 0; ///< Of what plays, and of its MIDI inputs.
     virtual Eigen::VectorXd limits() = 0;   ///< Of the ceramics while this plays, V; none: no device is solved.
     virtual std::uint64_t generation() = 0; ///< Another one where limits may have changed.
     virtual void tick() {}                  ///< 20 times a second.
@@ -129,6 +153,7 @@ private:
     void audioProcessorChanged (juce::AudioProcessor*, const ChangeDetails&) override { triggerAsyncUpdate(); }
     void handleAsyncUpdate() override;
     void timerCallback() override;
+    void retryPorts();
     void passRouting();
     void keepOpened();
     void waitForSilence();
@@ -136,7 +161,8 @@ private:
 
     SettingsFile file;
     bool keeps;
-    juce::String ownWarning;
+    std::map<MessageSource, std::string> failures;
+    juce::uint32 portsTried = 0; ///< ms, when those that could not be opened were tried again.
     OutputRouter outputRouter;
     juce::AudioProcessor* played = nullptr;
     std::unique_ptr<AudioCallback> audio;

@@ -4,7 +4,6 @@
 
 #include <Editor/EditorLook.h>
 #include <antinode_audio/AudioTypes.h>
-#include <antinode_base/InputError.h>
 
 #include <algorithm>
 #include <numeric>
@@ -105,24 +104,14 @@ AudioChoice AudioPanel::shownFormat() const
 
 void AudioPanel::open (const AudioChoice& choice)
 {
-    auto reason = juce::String();
-
-    try
-    {
-        host.openAudio (choice);
-    }
-    catch (const InputError& error)
-    {
-        reason = juce::String::fromUTF8 (error.what());
-    }
-
-    failure.setText (reason, juce::dontSendNotification);
+    host.attempt (MessageSource::audio, [&] { host.openAudio (choice); });
     update();
 }
 
 void AudioPanel::update()
 {
     const auto opened = openedAudio (host.devices());
+    failure.setText (host.message (MessageSource::audio), juce::dontSendNotification);
     updateDevices (opened);
     updateFormat (opened);
     inputView.refresh();

@@ -17,6 +17,8 @@ MainComponent::MainComponent (AudioHost& hostToUse, std::unique_ptr<juce::AudioP
     : host (hostToUse), player (std::move (editor)), audio (host), routing (host), touch (host)
 {
     setLookAndFeel (&look);
+    addAndMakeVisible (frame);
+    frame.setInterceptsMouseClicks (false, true);
     // The window has edges of its own.
     player->setResizable (true, false);
 }
@@ -25,8 +27,12 @@ MainComponent::MainComponent (StandaloneHost& hostToUse)
     : MainComponent (hostToUse, std::make_unique<Editor> (hostToUse.processor()))
 {
     own = std::make_unique<MidiPanel> (hostToUse);
-    followTheme (fociEditor()->content());
-    begin ({ "MIDI", "MIDI inputs that trigger foci.", own.get() });
+    auto& content = fociEditor()->content();
+    content.leaveSettingsToWindow();
+    fociEditor()->setContentScale (1);
+    playerSizes = EditorContent::sizes;
+    followTheme (content);
+    begin ({ "MIDI", "MIDI inputs that trigger foci.", own.get() }, content.settingsPanel());
 }
 
 MainComponent::MainComponent (TouchHost& hostToUse)
@@ -35,13 +41,17 @@ MainComponent::MainComponent (TouchHost& hostToUse)
     own = std::make_unique<InputsPanel> (hostToUse);
     followTheme (touchEditor()->content());
     touchEditor()->content().touches().setVisible (false); // The program's ports are a setting of its own.
-    begin ({ "Inputs", "Input of the audio device that each finger feels.", own.get() });
+    touchEditor()->setContentScale (1);
+    playerSizes = TouchContent::sizes;
+    ownWindowPanel = std::make_unique<SettingsPanel> (SettingsPanel::SeparateNodes {});
+    begin ({ "Inputs", "Input of the audio device that each finger feels.", own.get() }, *ownWindowPanel);
 }
 
 /** What is dark or light is the editor. */
 template <typename Content>
 void MainComponent::followTheme (Content& content)
 {
+    content.moreMessages = [this] { return messages(); };
     content.setDark (host.settings().isDark);
     isEditorDark = [&content] { return content.isDark(); };
     content.onTheme = [this]
@@ -51,7 +61,7 @@ void MainComponent::followTheme (Content& content)
     };
 }
 
-void MainComponent::begin (const PanelGroup::Panel& ownPanel)
+void MainComponent::begin (const PanelGroup::Panel& ownPanel, SettingsPanel& windowPanel)
 {
     mute.onClick = [this]
     {
@@ -66,26 +76,30 @@ void MainComponent::begin (const PanelGroup::Panel& ownPanel)
     settingsButton.setClickingTogglesState (true);
     settingsButton.setToggleState (true, juce::dontSendNotification);
     settingsButton.setTooltip ("Shows or hides the settings at the right");
-    settingsButton.onClick = [this]
+    settingsButton.onClick = [this] { setSettingsVisible (settingsButton.getToggleState()); };
+    windowPanel.setScale (host.settings().scale);
+    windowPanel.onScale = [this] (double scale)
     {
-        settings.setVisible (settingsButton.getToggleState());
+        host.setScale (scale);
         resized();
     };
     settings.setPanels ({ { "Audio device", "Audio interface for the voltages.", &audio },
                           { "Routing", "Output and amplifier of each ceramic.", &routing },
                           ownPanel,
-                          { "Touch", "Ports for touches: OSC and TUIO.", &touch } });
+                          { "Touch", "Ports for touches: OSC and TUIO.", &touch },
+                          { "Window", "Size of text and controls, and how what plays is run.", &windowPanel } });
     settings.show (openedAudio (host.devices()).type.empty() ? "Audio device" : "Routing");
 
-    for (auto* const label : { &status, &warning })
+    for (auto* const label : { &status, &latency })
         label->setFont (EditorLook::font());
 
     for (auto* const child :
-         std::initializer_list<juce::Component*> { player.get(), &settings, &mute, &settingsButton, &status, &warning })
-        addAndMakeVisible (child);
+         std::initializer_list<juce::Component*> { player.get(), &settings, &mute, &settingsButton, &status, &latency })
+        frame.addAndMakeVisible (child);
 
     setWantsKeyboardFocus (true);
     setSize (player->getWidth() + settingsWidth, player->getHeight() + topHeight);
+    resized();
     host.onChange = [this] { update(); };
     showTheme();
     startTimerHz (10);
@@ -123,12 +137,12 @@ bool MainComponent::keyPressed (const juce::KeyPress& key)
     return true;
 }
 
-juce::String MainComponent::statusText (const juce::String& latency) const
+juce::String MainComponent::statusText() const
 {
     const auto opened = openedAudio (host.devices());
 
     if (opened.type.empty())
-        return "No audio device is open. Choose one in Settings, Audio device.";
+        return "No audio device";
 
     const auto name =
         juce::String::fromUTF8 (opened.type.c_str()) + " " + juce::String::fromUTF8 (opened.device.c_str());
@@ -139,16 +153,21 @@ juce::String MainComponent::statusText (const juce::String& latency) const
     return name + ", " + juce::String (juce::roundToInt (opened.sampleRate)) + " Hz, " + juce::String (opened.blockSize)
            + " samples, " + juce::String (opened.outputs.size()) + " outputs, "
            + juce::String (std::max (0, host.devices().getXRunCount())) + " xruns, "
-           + juce::String (juce::roundToInt (100 * host.devices().getCpuUsage())) + " % CPU"
-           + (latency.isNotEmpty() ? "; " + latency : juce::String());
+           + juce::String (juce::roundToInt (100 * host.devices().getCpuUsage())) + " % CPU";
 }
 
-juce::String MainComponent::warningText() const
+/** For the status line of the editor, which has what plays to say beside it. */
+std::vector<UserMessage> MainComponent::messages() const
 {
-    if (host.router().isMuted())
-        return "All outputs are muted until they are released.";
+    auto messages = host.messages();
 
-    return host.warning();
+    if (host.router().isMuted())
+        addMessage (messages, Urgency::caution, "All outputs are muted until they are released.");
+
+    if (openedAudio (host.devices()).type.empty() && host.message (MessageSource::audio).isEmpty())
+        addMessage (messages, Urgency::warning, "No audio device is open. Choose one in Settings, Audio device.");
+
+    return messages;
 }
 
 void MainComponent::showState()
@@ -158,40 +177,66 @@ void MainComponent::showState()
     mute.setButtonText (isMuted ? "MUTED: RELEASE" : "MUTE ALL");
     mute.setColour (juce::TextButton::buttonColourId, isMuted ? palette.raised : palette.warning);
     mute.setColour (juce::TextButton::textColourOffId, isMuted ? palette.warning : palette.onStrong);
-    status.setText (statusText (host.latencyText()), juce::dontSendNotification);
-    status.setTooltip (host.latencyAdviceText());
-    warning.setText (warningText(), juce::dontSendNotification);
-    warning.setTooltip (warning.getText());
+    status.setText (statusText(), juce::dontSendNotification);
+    status.setTooltip (status.getText());
+    latency.setText (host.latencyText(), juce::dontSendNotification);
+    latency.setTooltip (host.latencyAdviceText());
 }
 
 void MainComponent::showTheme()
 {
     look.setPalette (isEditorDark() ? Palette::dark() : Palette::light());
     const auto& palette = look.palette();
-    warning.setColour (juce::Label::textColourId, palette.warning);
+    latency.setColour (juce::Label::textColourId, palette.mutedText);
     settingsButton.setColour (juce::TextButton::buttonOnColourId, palette.raised);
     settingsButton.setColour (juce::TextButton::textColourOnId, palette.accent);
     sendLookAndFeelChange();
     showState();
 }
 
+void MainComponent::setSettingsVisible (bool areVisible)
+{
+    settings.setVisible (areVisible);
+    settingsButton.setToggleState (areVisible, juce::dontSendNotification);
+    resized();
+}
+
 void MainComponent::paint (juce::Graphics& g)
 {
     g.fillAll (look.palette().window);
     g.setColour (look.palette().panel);
-    g.fillRect (getLocalBounds().removeFromTop (topHeight - 1));
+    g.fillRect (getLocalArea (&frame, frame.getLocalBounds().removeFromTop (topHeight - 1)));
+}
+
+/** Of the editor with what stands around it. */
+ContentSizes MainComponent::sizes() const
+{
+    const auto beside = settings.isVisible() ? settingsWidth : 0;
+    return { playerSizes.leastWidth + beside, playerSizes.leastHeight + topHeight, playerSizes.roomyWidth + beside,
+             playerSizes.roomyHeight + topHeight };
 }
 
 void MainComponent::resized()
 {
-    auto area = getLocalBounds();
+    if (getWidth() == 0 || playerSizes.leastWidth == 0)
+        return;
+
+    const auto scale = windowScale (getWidth(), getHeight(), sizes(), host.settings().scale);
+    frame.setTransform (juce::AffineTransform::scale (static_cast<float> (scale)));
+    frame.setBounds (0, 0, juce::roundToInt (getWidth() / scale), juce::roundToInt (getHeight() / scale));
+    layOut (frame.getLocalBounds());
+    repaint();
+}
+
+void MainComponent::layOut (juce::Rectangle<int> area)
+{
     auto top = area.removeFromTop (topHeight).reduced (windowMargin, windowMargin - 1);
     mute.setBounds (top.removeFromRight (muteWidth));
     top.removeFromRight (windowMargin);
     settingsButton.setBounds (top.removeFromRight (barButtonWidth));
     top.removeFromRight (windowMargin);
     status.setBounds (top.removeFromTop (top.getHeight() / 2));
-    warning.setBounds (top);
+    latency.setBounds (top);
 
     if (settings.isVisible())
         settings.setBounds (area.removeFromRight (settingsWidth).withTrimmedTop (windowGap));

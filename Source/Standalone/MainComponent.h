@@ -20,8 +20,8 @@ namespace antinode
 class MainComponent final : public juce::Component, private juce::Timer
 {
 public:
-    /** The least size at which everything is legible, in pixels. */
-    static constexpr int minimumWidth = 1100, minimumHeight = 560;
+    /** The least size of a window, in pixels: there all is reachable, though small. */
+    static constexpr int minimumWidth = 640, minimumHeight = 400;
 
     /** Foci. @param hostToUse  outlives this [message thread] */
     explicit MainComponent (StandaloneHost& hostToUse);
@@ -37,8 +37,11 @@ public:
     /** Shows the routing and the audio device as they are now. [message thread] */
     void update();
 
-    /** Shows one of the settings: "Audio device", "Routing", "MIDI" or "Inputs", "Touch". [message thread] */
+    /** Shows one of the settings: "Audio device", "Routing", "MIDI" or "Inputs", "Touch", "Window". [message thread] */
     void showSettings (const juce::String& name) { settings.show (name); }
+
+    /** Shows or hides the settings. [message thread] */
+    void setSettingsVisible (bool);
 
     /** F12 mutes everything, Escape ends all that plays. */
     bool keyPressed (const juce::KeyPress&) override;
@@ -51,24 +54,29 @@ private:
 
     template <typename Content>
     void followTheme (Content&);
-    void begin (const PanelGroup::Panel& ownPanel);
+    void begin (const PanelGroup::Panel& ownPanel, SettingsPanel& windowPanel);
+    void layOut (juce::Rectangle<int>);
+    ContentSizes sizes() const;
     void timerCallback() override { showState(); }
     void showState();
     void showTheme();
-    juce::String statusText (const juce::String& latency) const;
-    juce::String warningText() const;
+    juce::String statusText() const;
+    std::vector<UserMessage> messages() const;
 
     AudioHost& host;
     EditorLook look;
+    juce::Component frame; ///< All that is seen, at scale 1.
     std::unique_ptr<juce::AudioProcessorEditor> player;
+    ContentSizes playerSizes;
     std::function<bool()> isEditorDark;
     AudioPanel audio;
     RoutingPanel routing;
     std::unique_ptr<juce::Component> own; ///< The panel that only foci or only fingers have.
     TouchPanel touch;
+    std::unique_ptr<SettingsPanel> ownWindowPanel; ///< Where the editor has none.
     PanelGroup settings { "Settings" };
     juce::TextButton mute, settingsButton { "Settings" };
-    juce::Label status, warning;
-    LocalTooltips tooltips { this, 600 };
+    juce::Label status, latency;
+    LocalTooltips tooltips { &frame, 600 };
 };
 } // namespace antinode

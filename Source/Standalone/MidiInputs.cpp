@@ -34,6 +34,12 @@ void MidiInputs::update()
         return isThere
                && (chosen.all || std::find (names.begin(), names.end(), identifier.toStdString()) != names.end());
     };
+    refused.clear();
+    missing = chosen.all
+                  ? 0
+                  : static_cast<int> (std::count_if (chosen.inputs.begin(), chosen.inputs.end(),
+                                                     [&] (const auto& wanted)
+                                                     { return ! isWanted (juce::String::fromUTF8 (wanted.c_str())); }));
     std::erase_if (inputs, [&] (const auto& input) { return ! isWanted (input->getIdentifier()); });
 
     for (const auto& device : devices)
@@ -50,7 +56,25 @@ void MidiInputs::update()
             input->start();
             inputs.push_back (std::move (input));
         }
+        else
+            refused.push_back (device.name.toStdString());
     }
+}
+
+std::vector<UserMessage> MidiInputs::messages() const
+{
+    std::vector<UserMessage> messages;
+
+    for (const auto& name : refused)
+        addMessage (messages, Urgency::caution,
+                    "MIDI input '" + name + "': cannot be opened; close the program that uses it");
+
+    if (missing > 0)
+        addMessage (messages, Urgency::caution,
+                    std::to_string (missing) + (missing == 1 ? " chosen MIDI input is" : " chosen MIDI inputs are")
+                        + " not plugged in. Plug it in, or choose others in Settings, MIDI.");
+
+    return messages;
 }
 
 void MidiInputs::handleIncomingMidiMessage (juce::MidiInput*, const juce::MidiMessage& message)

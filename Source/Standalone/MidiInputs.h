@@ -3,6 +3,8 @@
 #include "MidiQueue.h"
 #include "StandaloneSettings.h"
 
+#include <antinode_session/UserMessages.h>
+
 #include <juce_audio_devices/juce_audio_devices.h>
 
 #include <memory>
@@ -25,6 +27,9 @@ public:
     /** Those that are plugged in. [message thread] */
     juce::Array<juce::MidiDeviceInfo> available() const { return juce::MidiInput::getAvailableDevices(); }
 
+    /** Which of the chosen ones are missing or cannot be opened. [message thread] */
+    std::vector<UserMessage> messages() const;
+
     /** How many are open. [message thread] */
     std::size_t opened() const { return inputs.size(); }
 
@@ -36,5 +41,7 @@ private:
     MidiQueue& queue;
     MidiChoice chosen;
     std::vector<std::unique_ptr<juce::MidiInput>> inputs;
+    std::vector<std::string> refused; ///< Names of those that could not be opened.
+    int missing = 0;                  ///< Chosen ones that are not plugged in.
 };
 } // namespace antinode

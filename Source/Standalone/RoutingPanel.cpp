@@ -5,6 +5,7 @@
 #include <Editor/EditorLook.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace antinode
 {
@@ -49,7 +50,12 @@ void RoutingPanel::update()
     const auto outputs = std::clamp (std::max ({ channels, ceramics, used, routing.monitor + OutputRouting::monitors }),
                                      0, OutputRouting::maximumOutputs);
 
-    if (ceramics != static_cast<int> (rows.size()) || outputs != shownOutputs)
+    const auto isOtherDevice = std::exchange (shownModel, model) != model;
+
+    if (isOtherDevice)
+        forgetLevels();
+
+    if (isOtherDevice || ceramics != static_cast<int> (rows.size()) || outputs != shownOutputs)
         makeRows (ceramics, outputs);
 
     for (auto& row : rows)
@@ -79,11 +85,18 @@ void RoutingPanel::makeRows (int ceramics, int outputs)
     resized();
 }
 
+/** What the device before played is none of this one's. */
+void RoutingPanel::forgetLevels()
+{
+    for (int i = 0; i < OutputRouting::maximumOutputs; ++i)
+        host.router().meters().takePeak (i);
+}
+
 void RoutingPanel::timerCallback()
 {
-    if (isShowing())
-        for (auto& row : rows)
-            row->updateLevel();
+    // Taken also while it is hidden: a peak of long ago is none.
+    for (auto& row : rows)
+        row->updateLevel();
 }
 
 void RoutingPanel::paint (juce::Graphics& g)

@@ -23,6 +23,7 @@ public:
 private:
     void timerCallback() override;
     void makeRows (int ceramics, int outputs);
+    void forgetLevels();
 
     AudioHost& host;
     juce::Label monitorName { {}, "Probe velocities on outputs" };
@@ -31,6 +32,7 @@ private:
     juce::Viewport viewport;
     juce::Component list;
     std::vector<std::unique_ptr<RoutingRow>> rows;
+    std::shared_ptr<const ModalModel> shownModel;
     int shownOutputs = -1;
 };
 } // namespace antinode

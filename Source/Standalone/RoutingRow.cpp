@@ -3,6 +3,8 @@
 #include <Editor/EditorLook.h>
 #include <antinode_base/TypedNumber.h>
 
+#include <utility>
+
 namespace antinode
 {
 namespace
@@ -60,7 +62,9 @@ void RoutingRow::update()
     if (! volts.hasKeyboardFocus (true))
         volts.setText (chain.voltsPerFullScale > 0 ? juce::String (chain.voltsPerFullScale) : juce::String(), false);
 
-    const auto fullScale = host.fullScaleVolts();
+    // Not that of the last block, which may be the device's before.
+    const auto model = host.model();
+    const auto fullScale = model != nullptr ? model->fullScaleVoltage : 0.0;
     volts.setTextToShowWhenEmpty (fullScale > 0 ? juce::String (fullScale) : juce::String(),
                                   EditorLook::findPalette (*this).mutedText);
     polarity.setToggleState (chain.polarity < 0, juce::dontSendNotification);
@@ -75,10 +79,16 @@ void RoutingRow::updateLevel()
     identify.setEnabled (isArmed && output() != OutputRouting::none);
     identify.setToggleState (host.router().identified() == ceramic, juce::dontSendNotification);
 
-    if (output() != OutputRouting::none)
-        level.show (host.router().meters().takePeak (output()), host.router().meters().clampedSamples (output()));
-    else
-        level.show (0, 0);
+    if (output() == OutputRouting::none)
+        return level.show (0, 0);
+
+    const auto clamped = host.router().meters().clampedSamples (output());
+
+    // What the device or the ceramic before had there is not meant.
+    if (std::exchange (clampedOutput, output()) != output())
+        clampedBefore = clamped;
+
+    level.show (host.router().meters().takePeak (output()), clamped - clampedBefore);
 }
 
 void RoutingRow::changeChain()

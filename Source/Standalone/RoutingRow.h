@@ -32,6 +32,8 @@ private:
 
     AudioHost& host;
     int ceramic;
+    std::int64_t clampedBefore = 0; ///< Samples of its output, when it was last another one's.
+    int clampedOutput = OutputRouting::none;
     juce::Label name;
     juce::ComboBox outputChoice;
     juce::TextEditor volts;

@@ -45,7 +45,7 @@ void StandaloneHost::restTouches()
     const auto wanted = touchInput.resting().due (own->description.fingers, player.touches(), now->surface,
                                                   std::chrono::steady_clock::now());
 
-    if (wanted && ! succeeds ([&] { player.setTouches (*wanted); }))
+    if (wanted && ! attempt (MessageSource::fingers, [&] { player.setTouches (*wanted); }))
         tellChange();
 }
 
@@ -67,6 +67,16 @@ void StandaloneHost::shutDown()
     touchInput.open ({ 0, 0, kept.touch.address });
     player.setTouches ({});
     AudioHost::shutDown();
+}
+
+std::vector<UserMessage> StandaloneHost::playerMessages()
+{
+    auto messages = player.messages();
+
+    for (auto& message : midiInputs.messages())
+        messages.push_back (std::move (message));
+
+    return messages;
 }
 
 Eigen::VectorXd StandaloneHost::limits()

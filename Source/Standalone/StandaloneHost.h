@@ -44,7 +44,7 @@ public:
 private:
     void keepState (StandaloneSettings& settings) override { settings.state = player.state(); }
     void passAmplifiers (const std::vector<double>& volts) override { player.session().setAmplifiers (volts); }
-    juce::String playerWarning() override { return player.warning(); }
+    std::vector<UserMessage> playerMessages() override;
     Eigen::VectorXd limits() override;
     std::uint64_t generation() override { return player.session().snapshot()->generation; }
     void tick() override;

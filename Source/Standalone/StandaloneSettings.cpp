@@ -172,6 +172,9 @@ std::string settingsToText (const StandaloneSettings& settings)
                     { "cursors", wordFor (cursorWords, std::string_view (settings.touch.finger)) } } },
                 { "theme", wordFor (themeWords, settings.isDark) } };
 
+    if (settings.scale > 0)
+        json["scale"] = settings.scale;
+
     if (settings.state)
         json["state"] = Json::parse (stateToText (*settings.state));
 
@@ -186,18 +189,23 @@ StandaloneSettings readSettings (std::string_view text)
     const auto json = parseJson (text, "settings");
     const JsonValue value (json, "settings");
     value.requireSchema (schema);
-    const auto object = value.object ({ "schema", "audio", "routing", "midi", "touch", "theme", "state", "fingers" });
+    const auto object =
+        value.object ({ "schema", "audio", "routing", "midi", "touch", "theme", "scale", "state", "fingers" });
     StandaloneSettings settings { readAudio (object.required ("audio")),
                                   readRouting (object.required ("routing")),
                                   readMidi (object.required ("midi")),
                                   readTouch (object.required ("touch")),
                                   true,
+                                  0,
                                   {},
                                   {},
                                   {} };
 
     if (const auto theme = object.optional ("theme"))
         settings.isDark = theme->choice (themeWords);
+
+    if (const auto scale = object.optional ("scale"))
+        settings.scale = scale->number (scaleRange);
 
     if (object.has ("state"))
         settings.state = readState (json["state"].dump());

@@ -32,6 +32,7 @@ struct StandaloneSettings
     MidiChoice midi;
     TouchPorts touch;
     bool isDark = true;                ///< Else the window is light.
+    double scale = 0;                  ///< Of what the window shows; 0: as large as suits it.
     std::optional<SessionState> state; ///< Device, focus and parameters; none: the demonstrator.
     FingerInputs inputs;               ///< Of Antinode Touch, as the next line.
     std::optional<DeviceState> touchState;

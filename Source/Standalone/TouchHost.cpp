@@ -109,9 +109,14 @@ void TouchHost::keepState (StandaloneSettings& settings)
     settings.touchState = std::move (state);
 }
 
-juce::String TouchHost::playerWarning()
+std::vector<UserMessage> TouchHost::playerMessages()
 {
-    return player.warning();
+    auto messages = player.messages();
+
+    for (auto& message : midiInputs.messages())
+        messages.push_back (std::move (message));
+
+    return messages;
 }
 
 Eigen::VectorXd TouchHost::limits()
@@ -215,14 +220,14 @@ void TouchHost::tick()
         || now->device->text != player.device()->text)
         return;
 
-    if (! succeeds (
-            [&]
-            {
-                fingerFailure.clear();
-                player.parameters().setValues (fingerValues (now->model->surface));
-            }))
+    if (! attempt (MessageSource::fingers,
+                   [&]
+                   {
+                       fingerFailure.clear();
+                       player.parameters().setValues (fingerValues (now->model->surface));
+                   }))
     {
-        fingerFailure = warning().toStdString();
+        fingerFailure = message (MessageSource::fingers).toStdString();
         tellChange();
     }
 

@@ -67,7 +67,7 @@ public:
 private:
     void keepState (StandaloneSettings&) override;
     void passAmplifiers (const std::vector<double>& volts) override { player.session().setAmplifiers (volts); }
-    juce::String playerWarning() override;
+    std::vector<UserMessage> playerMessages() override;
     Eigen::VectorXd limits() override;
     std::uint64_t generation() override;
     AudioChoice audioToKeep (AudioChoice opened) const override;

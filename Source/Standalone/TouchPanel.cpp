@@ -4,7 +4,6 @@
 #include "RestingTouches.h"
 
 #include <Editor/EditorLook.h>
-#include <antinode_base/InputError.h>
 
 #include <string_view>
 
@@ -70,23 +69,16 @@ TouchPanel::TouchPanel (AudioHost& hostToUse) : host (hostToUse)
 
 void TouchPanel::apply()
 {
-    try
-    {
-        failure.clear();
-        const auto [word, finger] = cursorWords[static_cast<std::size_t> (cursors.getSelectedId() - 1)];
-        host.setTouch ({ oscPort.getText().getIntValue(), tuioPort.getText().getIntValue(),
-                         network.getToggleState() ? wholeNetwork : thisComputer, std::string (finger) });
-    }
-    catch (const InputError& error)
-    {
-        failure = juce::String::fromUTF8 (error.what());
-    }
-
+    const auto finger = cursorWords[static_cast<std::size_t> (cursors.getSelectedId() - 1)].second;
+    const TouchPorts wanted { oscPort.getText().getIntValue(), tuioPort.getText().getIntValue(),
+                              network.getToggleState() ? wholeNetwork : thisComputer, std::string (finger) };
+    host.attempt (MessageSource::ports, [&] { host.setTouch (wanted); });
     showState();
 }
 
 void TouchPanel::showState()
 {
+    const auto failure = host.message (MessageSource::ports);
     status.setText (failure.isNotEmpty() ? failure : host.touchStatus(), juce::dontSendNotification);
 }
 

@@ -27,6 +27,5 @@ private:
     juce::ComboBox cursors;
     juce::ToggleButton network { "Accept touches from the network, not only from this computer" };
     juce::TextButton applyButton { "Apply" };
-    juce::String failure;
 };
 } // namespace antinode

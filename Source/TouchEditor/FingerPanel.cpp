@@ -73,10 +73,13 @@ void FingerPanel::refresh()
         control->refresh();
 }
 
-void FingerPanel::refreshTexts()
+void FingerPanel::refreshTexts (bool isLine)
 {
     for (const auto& control : fingers)
+    {
         control->refreshText();
+        control->setEnabled (! (isLine && control->isAlongY()));
+    }
 }
 
 int FingerPanel::height()

@@ -26,7 +26,7 @@ public:
     void refresh();
 
     /** Shows all texts again: the device is another one. */
-    void refreshTexts();
+    void refreshTexts (bool isLine);
 
     /** The height that all controls need. */
     static int height();

@@ -14,8 +14,10 @@ void installTouchEditor()
     {
         auto editor = std::make_unique<TouchEditor> (processor);
         auto& content = editor->content();
-        content.setDark (readPreferences().isDark);
-        content.onTheme = [&content] { keepPreferences ({ content.isDark() }); };
+        const auto preferences = readPreferences();
+        content.setDark (preferences.isDark);
+        editor->setContentScale (preferences.scale);
+        content.onTheme = [&content] { keepPreferences ({ content.isDark(), readPreferences().scale }); };
         return editor.release();
     };
 }

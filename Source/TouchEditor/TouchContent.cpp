@@ -1,7 +1,7 @@
 #include "TouchContent.h"
 
 #include "LatencyVolts.h"
-#include "TouchSentence.h"
+#include "TouchSentences.h"
 
 #include <antinode_base/Prefixes.h>
 #include <antinode_felt/FeltMotion.h>
@@ -14,7 +14,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int touchTop = 44, touchStatus = 24, touchGap = 6, voltsHeight = 40, panelWidth = 330;
+constexpr int touchTop = 44, touchGap = 6, voltsHeight = 40, panelWidth = 330;
 constexpr double feltFall = 20;        // dB per second
 constexpr double waveformShown = 0.06; // s, beside each finger
 } // namespace
@@ -41,14 +41,16 @@ TouchContent::TouchContent (TouchProcessor& processorToShow)
     };
     surfaceView.onSelect = [this] (std::size_t finger) { fingerPanel.select (finger); };
 
-    for (juce::Component* const child : std::initializer_list<juce::Component*> {
-             &device, &focus, &touchesButton, &driftChoice, &theme, &surfaceView, &fingerPanel, &motions, &voltages })
+    for (juce::Component* const child :
+         std::initializer_list<juce::Component*> { &device, &focus, &touchesButton, &driftChoice, &theme, &surfaceView,
+                                                   &fingerPanel, &motions, &voltages, &statusView })
         addAndMakeVisible (child);
 
+    statusView.onHeight = [this] { resized(); };
     addChildComponent (drift);
     processor.session().setComparing (true);
     setDark (true);
-    setSize (minimumWidth, minimumHeight);
+    setSize (sizes.leastWidth, sizes.leastHeight);
     refresh (0);
 }
 
@@ -90,7 +92,7 @@ void TouchContent::refresh (double seconds)
     drift.refresh();
     showFingers (seconds);
     showVoltages (seconds);
-    showStatus();
+    showStatus (seconds);
 }
 
 DriftPanelSource TouchContent::driftSource()
@@ -111,7 +113,8 @@ void TouchContent::takeSnapshot()
             auto atRest = std::make_shared<PlateSnapshot>();
             atRest->model = now->model;
             rest->watch (std::move (atRest));
-            fingerPanel.refreshTexts();
+            voltages.forget();
+            fingerPanel.refreshTexts (now->model != nullptr && now->model->surface.kind == SurfaceKind::line);
         }
 
         snapshot = std::move (now);
@@ -191,25 +194,20 @@ void TouchContent::showVoltages (double seconds)
     voltages.refresh (values, seconds);
 }
 
-juce::String TouchContent::statusNow() const
+void TouchContent::showStatus (double seconds)
 {
-    if (device.error().isNotEmpty())
-        return device.error();
+    auto messages = touchSentences (processor, *snapshot);
 
-    if (focus.error().isNotEmpty())
-        return focus.error();
+    for (const auto& error : { device.error(), focus.error(), touchesButton.error() })
+        addMessage (messages, Urgency::warning, error.toStdString());
 
-    if (touchesButton.error().isNotEmpty())
-        return touchesButton.error();
+    for (auto& message : moreMessages ? moreMessages() : std::vector<UserMessage>())
+        messages.push_back (std::move (message));
 
-    return touchSentence (processor, *snapshot);
-}
+    statusView.show (std::move (messages), {}, seconds);
 
-void TouchContent::showStatus()
-{
-    const auto status = statusNow(), volts = latencyVoltsText (*snapshot, processor.parameters().controls());
-
-    if (std::exchange (statusText, status) != status || std::exchange (voltsText, volts) != volts)
+    if (const auto volts = latencyVoltsText (*snapshot, processor.parameters().controls());
+        std::exchange (voltsText, volts) != volts)
         repaint();
 }
 
@@ -220,11 +218,7 @@ void TouchContent::paint (juce::Graphics& g)
     auto area = getLocalBounds();
     g.setColour (palette.panel);
     g.fillRect (area.removeFromTop (touchTop));
-    g.fillRect (area.removeFromBottom (touchStatus));
     g.setFont (EditorLook::font (EditorLook::smallTextHeight));
-    g.setColour (palette.caution);
-    g.drawText (statusText, getLocalBounds().removeFromBottom (touchStatus).reduced (10, 0),
-                juce::Justification::centredLeft);
     auto box = fingerPanel.getBounds().withY (fingerPanel.getBottom()).withHeight (voltsHeight);
     g.setColour (palette.panel);
     g.fillRect (box);
@@ -240,7 +234,7 @@ void TouchContent::resized()
 {
     auto area = getLocalBounds();
     auto top = area.removeFromTop (touchTop).reduced (8, 6);
-    area.removeFromBottom (touchStatus);
+    statusView.setBounds (area.removeFromBottom (statusView.wantedHeight()));
     device.setBounds (top.removeFromLeft (210));
     top.removeFromLeft (touchGap);
     focus.setBounds (top.removeFromLeft (190));

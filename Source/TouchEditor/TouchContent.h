@@ -9,6 +9,8 @@
 #include <Editor/DriftPanel.h>
 #include <Editor/EditorLook.h>
 #include <Editor/LocalTooltips.h>
+#include <Editor/StatusLine.h>
+#include <Editor/WindowScale.h>
 #include <PlateEditor/LevelRows.h>
 #include <PlateEditor/MotionView.h>
 
@@ -24,7 +26,8 @@ namespace antinode
 class TouchContent final : public juce::Component
 {
 public:
-    static constexpr int minimumWidth = 760, minimumHeight = 560;
+    static constexpr ContentSizes sizes { 760, 560, 1300, 860 };
+    static constexpr int usualWidth = 1040, usualHeight = 640, framesPerSecond = 30;
 
     explicit TouchContent (TouchProcessor&);
     ~TouchContent() override;
@@ -55,7 +58,11 @@ public:
     DriftPanel& driftPanel() { return drift; }
     juce::Button& driftButton() { return driftChoice; }
 
-    juce::String status() const { return statusText; }
+    /** What the window around has to say beside it; none: nothing. */
+    std::function<std::vector<UserMessage>()> moreMessages;
+
+    StatusLine& statusLine() { return statusView; }
+    juce::String status() const { return statusView.text(); }
 
     /** What noise at the fingers' levels costs, by latency. */
     juce::String volts() const { return voltsText; }
@@ -70,8 +77,7 @@ private:
     void showFingers (double seconds);
     AskedMotion askedOf (const FingerMeters&, std::size_t finger, double level) const;
     void showVoltages (double seconds);
-    void showStatus();
-    juce::String statusNow() const;
+    void showStatus (double seconds);
 
     TouchProcessor& processor;
     juce::SharedResourcePointer<EditorLook> fonts; ///< Of JUCE's own windows: menus and alerts.
@@ -91,6 +97,7 @@ private:
     std::shared_ptr<const TouchSnapshot> snapshot;
     std::shared_ptr<const MotionPicture> picture;
     std::array<double, mostFingers> felt {}; ///< dB over threshold, which falls slowly.
-    juce::String statusText, voltsText;
+    StatusLine statusView;
+    juce::String voltsText;
 };
 } // namespace antinode

@@ -40,10 +40,18 @@ NetworkFingers::~NetworkFingers()
 void NetworkFingers::open (const TouchPorts& ports)
 {
     const std::lock_guard lock (mutex);
-    receiver.reset();
-    fingers.liftAll();
-    triggerAsyncUpdate();
+    const auto isAnyWanted = ports.oscPort != 0 || ports.tuioPort != 0;
+    const auto areSame = ports.oscPort == wantedPorts.oscPort && ports.tuioPort == wantedPorts.tuioPort
+                         && ports.address == wantedPorts.address;
     wantedPorts = ports;
+
+    if (! (areSame && isAnyWanted))
+    {
+        receiver.reset();
+        fingers.liftAll();
+        triggerAsyncUpdate();
+    }
+
     listen();
 }
 
@@ -73,9 +81,15 @@ void NetworkFingers::listen()
     }
 }
 
-void NetworkFingers::retry()
+bool NetworkFingers::retryWhenDue()
 {
+    if (! isRefused)
+        return false;
+
     const std::lock_guard lock (mutex);
+
+    if (std::chrono::steady_clock::now() - lastTry < retryInterval)
+        return false;
 
     try
     {
@@ -85,20 +99,7 @@ void NetworkFingers::retry()
     {
         // It is in failure().
     }
-}
 
-bool NetworkFingers::retryWhenDue()
-{
-    if (! isRefused)
-        return false;
-
-    {
-        const std::lock_guard lock (mutex);
-
-        if (std::chrono::steady_clock::now() - lastTry < retryInterval)
-            return false;
-    }
-    retry();
     return ! isRefused;
 }
 

@@ -26,16 +26,15 @@ public:
     NetworkFingers (TouchParameters& parametersToSet, std::function<int()> inputsOf, std::function<void()> stopFoci);
     ~NetworkFingers() override;
 
-    /** Lifts all touches, closes the ports that are open and opens these; `finger` is what fingers that are put down
-        are to the surface, empty: what their parameter says.
+    /** Lifts all touches, closes the ports that are open and opens these; where these are open, they and their touches
+        stay, and where they were refused, they are tried again. `finger` is what fingers that are put down are to the
+        surface, empty: what their parameter says.
         @throws InputError  as TouchReceiver; then none is open, and they are tried again each second
         [any but the audio thread] */
     void open (const TouchPorts&);
 
-    /** Tries again to open what is wanted and was refused. [any but the audio thread] */
-    void retry();
-
-    /** The same, where the last time was a second ago. @return  whether it is open now [any but the audio thread] */
+    /** Tries again to open what is wanted and was refused, where the last time was a second ago.
+        @return  whether it is open now [any but the audio thread] */
     bool retryWhenDue();
 
     /** Why what is wanted is not open, in one sentence; empty where it is. [any but the audio thread] */

@@ -55,7 +55,7 @@ TouchParameters::TouchParameters (juce::AudioProcessor& processor, const TouchMo
     chosenLatency = output.choice ("latency", "Latency", latencies);
     outputGain =
         output.number ("gain", "Gain", "", { quietest, loudest }, 0, unitTexts ("dB", 1, quietestText, "silent"));
-    armed = output.flag ("arm", "Arm", true, "armed, not restored", "disarmed", false);
+    armed = output.flag ("arm", "Arm", true, "armed", "disarmed", false);
     bypassed = output.flag ("bypass", "Bypass", false, "bypassed", "playing");
     output.addToProcessor();
     steps = std::make_unique<StepReports> (ordered);

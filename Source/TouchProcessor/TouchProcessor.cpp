@@ -1,6 +1,7 @@
 #include "TouchProcessor.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_session/TrackingWords.h>
 
 #include <algorithm>
 #include <cmath>
@@ -131,20 +132,13 @@ std::map<std::string, double> TouchProcessor::values() const
     return values;
 }
 
-/** Those of a state. Ports that are open already stay open: fingers that touch do not leave. Those that were refused
-   are tried again. */
+/** Those of a state. */
 void TouchProcessor::openPorts (const std::map<std::string, double>& values)
 {
-    const TouchPorts ports { portFrom (valueOf (values, oscKey)), portFrom (valueOf (values, tuioKey)),
-                             valueOf (values, networkKey) > 0 ? wholeNetwork : thisComputer };
-    const auto now = touches->wanted();
-
-    if (ports.oscPort == now.oscPort && ports.tuioPort == now.tuioPort && ports.address == now.address)
-        return touches->retry();
-
     try
     {
-        touches->open (ports);
+        touches->open ({ portFrom (valueOf (values, oscKey)), portFrom (valueOf (values, tuioKey)),
+                         valueOf (values, networkKey) > 0 ? wholeNetwork : thisComputer, touches->wanted().finger });
     }
     catch (const InputError&)
     {
@@ -152,36 +146,35 @@ void TouchProcessor::openPorts (const std::map<std::string, double>& values)
     }
 }
 
-juce::String TouchProcessor::ownWarning()
+std::vector<UserMessage> TouchProcessor::ownMessages()
 {
-    if (const auto failure = touches->failure(); ! failure.empty())
-        return juce::String::fromUTF8 (failure.c_str());
-
     const auto now = player->snapshot();
     const auto channels = getChannelCountOfBus (false, 0);
     const auto ceramics = now->model != nullptr ? static_cast<int> (now->model->actuators()) : 0;
-
-    if (! now->error.empty())
-        return juce::String::fromUTF8 (now->error.c_str());
-
-    if (! now->formatError.empty())
-        return juce::String::fromUTF8 (now->formatError.c_str());
+    std::vector<UserMessage> messages;
+    addMessage (messages, Urgency::warning, touches->failure());
+    addMessage (messages, Urgency::warning, now->error);
+    addMessage (messages, Urgency::warning, now->formatError);
 
     if (! now->designError.empty())
-        return juce::String::fromUTF8 (now->designError.c_str()) + "; the filters before play on";
+        addMessage (messages, Urgency::warning, now->designError + "; the filters before play on");
 
     if (const auto error = player->focusProgress().liveError; ! error.empty())
-        return "Notes play nothing: " + juce::String::fromUTF8 (error.c_str());
+        addMessage (messages, Urgency::warning, "Notes play nothing: " + error);
 
     if (player->meters().isMutedForBadNumbers())
-        return "A voltage was not a finite number: all voltages are 0 V until playback starts again.";
+        addMessage (messages, Urgency::warning,
+                    "A voltage was not a finite number: all voltages are 0 V until playback starts again.");
 
     if (ceramics > channels)
-        return "The device has " + juce::String (ceramics) + " ceramics, but the output has only "
-               + juce::String (channels) + (channels == 1 ? " channel" : " channels") + ": ceramic "
-               + juce::String (channels + 1) + " and above get nothing.";
+        addMessage (messages, Urgency::warning,
+                    "The device has " + std::to_string (ceramics) + " ceramics, but the output has only "
+                        + std::to_string (channels) + (channels == 1 ? " channel" : " channels") + ": ceramic "
+                        + std::to_string (channels + 1) + " and above get nothing.");
 
-    return {};
+    const auto tracked = trackingMessage (*player->tracking().status());
+    addMessage (messages, tracked.urgency, tracked.text);
+    return messages;
 }
 
 template <typename Sample>

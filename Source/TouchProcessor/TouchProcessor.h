@@ -75,7 +75,7 @@ private:
     void setValues (const std::map<std::string, double>&, const DeviceDocument&) override;
     StepReports& stepReports() override { return controls->stepReports(); }
     std::int64_t latencyToReport() const override { return player->latencySamples (controls->settings().latency); }
-    juce::String ownWarning() override;
+    std::vector<UserMessage> ownMessages() override;
     std::shared_ptr<const FocusDocument> keptFocus() const override { return focus(); }
     void takeFocus (const std::shared_ptr<const FocusDocument>&) override;
     TrackingSettings keptTracking() const override { return player->tracking().settings(); }

@@ -112,6 +112,41 @@ TEST_CASE ("Loading a device is undone with all that it changed")
     test.settle();
 }
 
+TEST_CASE ("A device that is loaded gets a focus of its own, which undo takes back and redo brings again")
+{
+    const OwnLibrary library;
+    EditorFixture test;
+    test.settle();
+    const auto before = test.stateText();
+    test.content().browse (LibraryKind::device);
+    test.content().presetPanel().select ("glass-148x210");
+    test.content().presetPanel().loadSelected();
+    CHECK_FALSE (test.content().presetPanel().isVisible()); // It would cover the surface.
+    test.waitUntil ([&] { return test.processor.focus()->description.name == "suited"; });
+    test.settle();
+    const auto suited = test.stateText();
+    const auto target = test.processor.session().snapshot()->focus.targets.front();
+    CHECK (1000 * target.x == Approx (105).margin (1));
+    CHECK (1000 * target.y == Approx (74).margin (1));
+    CHECK_FALSE (test.processor.focus()->description.modes.count);
+    test.content().refresh (0);
+    CHECK (test.content().statusLine().urgency() == Urgency::calm);
+    test.content().history().undo();
+    CHECK (test.stateText() == before);
+    test.settle();
+    test.content().history().redo();
+    CHECK (test.stateText() == suited);
+    test.settle();
+
+    // The same device again keeps its focus.
+    auto& width = *test.processor.parameters().find ("width");
+    width.setValueNotifyingHost (width.convertTo0to1 (33));
+    const auto changed = test.processor.focus();
+    test.processor.load (test.processor.device(), nullptr);
+    test.settle();
+    CHECK (test.processor.focus()->text == changed->text);
+}
+
 TEST_CASE ("What is the factory's is neither replaced nor deleted")
 {
     const OwnLibrary library;

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 #include <atomic>
 #include <cstdio>
 #include <set>
@@ -186,7 +188,7 @@ TEST_CASE ("A focus that cannot be met is said in a sentence, and the next one i
     auto& velocity = *test.processor.parameters().find ("peak_velocity");
     velocity.setValueNotifyingHost (1);
     const auto& status = test.content().statusLine();
-    test.waitUntil ([&] { return status.level() == StatusLine::Level::warning; });
+    test.waitUntil ([&] { return status.urgency() == Urgency::warning; });
     INFO (status.text());
     CHECK (status.text().contains (" V, too low for "));
     CHECK (status.text() != "Ready");
@@ -195,19 +197,52 @@ TEST_CASE ("A focus that cannot be met is said in a sentence, and the next one i
     test.waitUntil ([&] { return status.text() == "Ready"; });
 }
 
-TEST_CASE ("A note that cannot be played at this rate is a caution, the focus itself a warning")
+TEST_CASE ("A note that cannot be played at this rate is said calmly, the focus itself is a warning")
 {
     EditorFixture test;
     test.processor.prepareToPlay (48000, EditorFixture::blockSize);
     const auto& status = test.content().statusLine();
-    test.waitUntil ([&] { return status.level() == StatusLine::Level::caution; });
+    test.waitUntil ([&] { return status.text().contains ("cannot be played"); });
+    CHECK (status.urgency() == Urgency::calm);
     INFO (status.text());
     CHECK (status.text().matchesWildcard ("1 of 128 notes cannot be played at 48 kHz (note *): *", false));
     test.processor.prepareToPlay (8000, EditorFixture::blockSize);
-    test.waitUntil ([&] { return status.level() == StatusLine::Level::warning; });
+    test.waitUntil ([&] { return status.urgency() == Urgency::warning; });
     test.processor.prepareToPlay (EditorFixture::sampleRate, EditorFixture::blockSize);
     test.waitUntil ([&] { return status.text() == "Ready"; });
-    CHECK (status.level() == StatusLine::Level::calm);
+    CHECK (status.urgency() == Urgency::calm);
+}
+
+TEST_CASE ("What is wrong with a focus is said in the words of the window, and goes when it is mended")
+{
+    EditorFixture test;
+    test.settle();
+    const auto& status = test.content().statusLine();
+    const auto set = [&] (const char* name, float value)
+    {
+        auto& parameter = *test.processor.parameters().find (name);
+        parameter.setValueNotifyingHost (parameter.convertTo0to1 (value));
+    };
+    const auto says = [&] (const char* words)
+    {
+        const auto& messages = status.messages();
+        return std::any_of (messages.begin(), messages.end(),
+                            [&] (const auto& message) {
+                                return message.urgency == Urgency::caution
+                                       && message.text.find (words) != std::string::npos;
+                            });
+    };
+    const auto isCalm = [&] { return status.urgency() == Urgency::calm; };
+    test.waitUntil (isCalm);
+    set ("width", 4); // far narrower than six modes represent
+    test.waitUntil ([&] { return says ("of the focus (good: 0.9 or more). Raise Width"); });
+    set ("width", 25);
+    test.waitUntil (isCalm);
+    set ("x", 99); // of the way: 1.5 mm from the right end
+    test.waitUntil ([&] { return says ("lies on an edge: 1.5 mm from it"); });
+    set ("x", 66);
+    set ("peak_velocity", 0.1F);
+    test.waitUntil ([&] { return says ("is not felt: ") && says ("Raise Peak velocity"); });
 }
 
 TEST_CASE ("The field is played through time and goes back to the focus")

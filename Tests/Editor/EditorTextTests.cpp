@@ -33,7 +33,7 @@ void checkAllTexts (EditorFixture& test, int width, int height)
     test.snapshot (width, height);
 
     for (const auto* const panel :
-         { "Controls", "Spectrum", "Probe", "Voltages", "Methods", "Bank", "Scores", "Drift" })
+         { "Controls", "Spectrum", "Probe", "Voltages", "Methods", "Bank", "Scores", "Drift", "Settings" })
     {
         test.content().showPanel (panel);
         forEachVisible (test.content(), checkText);

@@ -3,6 +3,7 @@
 
 #include <Processor/AntinodeProcessor.h>
 #include <Standalone/SettingsFile.h>
+#include <antinode_base/Processes.h>
 
 #include <catch2/catch.hpp>
 
@@ -24,6 +25,7 @@ StandaloneSettings unusualSettings()
     settings.midi = { false, { "a", "b" } };
     settings.touch = { 9100, 0, "0.0.0.0", "firm" };
     settings.isDark = false;
+    settings.scale = 1.5;
     settings.state = demonstrator();
     settings.state->parameters["x"] = 12.3456789012345678;
     return settings;
@@ -58,6 +60,7 @@ TEST_CASE ("settings come back as they were kept")
     CHECK (read.touch.address == "0.0.0.0");
     CHECK (read.touch.finger == "firm");
     CHECK_FALSE (read.isDark);
+    CHECK (read.scale == 1.5);
     REQUIRE (read.state);
     CHECK (read.state->parameters == wanted.state->parameters);
     CHECK (settingsToText (read) == settingsToText (wanted));
@@ -120,6 +123,28 @@ TEST_CASE ("settings that cannot be written are an error in a sentence")
     write (folder.path() / "file", "");
     SettingsFile file (folder.path() / "file" / "standalone.json");
     CHECK (errorText ([&] { file.save ({}); }).find ("the settings cannot be written") != std::string::npos);
+}
+
+TEST_CASE ("the next start removes what a dead process left, and nothing else")
+{
+    constexpr auto dead = "4194304"; // above what Linux gives
+    const TemporaryFolder folder;
+    const auto path = folder.path() / "standalone.json";
+    SettingsFile (path).save (unusualSettings());
+    const auto left = folder.path() / (".antinode-" + std::string (dead) + "-1");
+    const auto own = path.string() + "." + std::to_string (ownProcess());
+    fs::create_directory (left);
+    write (left / "standalone.json", "{");
+    write (path.string() + "." + dead, "{"); // of earlier versions
+    write (own, "");
+    write (path.string() + ".20261128", "");
+    write (path.string() + ".old", "");
+    CHECK (SettingsFile (path).load().audio == unusualSettings().audio);
+    CHECK_FALSE (fs::exists (left));
+    CHECK_FALSE (fs::exists (path.string() + "." + dead));
+    CHECK (fs::exists (own));
+    CHECK (fs::exists (path.string() + ".20261128"));
+    CHECK (fs::exists (path.string() + ".old"));
 }
 
 TEST_CASE ("settings lie where XDG says")
