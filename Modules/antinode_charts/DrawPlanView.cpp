@@ -75,6 +75,39 @@ void drawHeldPieces (juce::Graphics& g, const PlotFrame& frame, const PlanView& 
         }
     }
 }
+/** Springs within the surface along parts of its outline. */
+void drawElasticPieces (juce::Graphics& g, const PlotFrame& frame, const PlanView& chart, const Theme& theme)
+{
+    constexpr float depth = 5, step = 4; // pixels: from the outline, and along it from turn to turn
+    const juce::Graphics::ScopedSaveState state (g);
+    g.reduceClipRegion (pathOf (chart.surface, frame));
+    g.setColour (theme.axis);
+    for (const auto& line : chart.elasticPieces)
+    {
+        juce::Path outline, zigzag;
+        for (std::size_t i = 0; i < line.size(); ++i)
+            if (const auto at = frame.at (line[i].x(), line[i].y()); i == 0)
+                outline.startNewSubPath (at);
+            else
+                outline.lineTo (at);
+        const auto length = outline.getLength();
+        const auto turns = static_cast<int> (length / step);
+        for (int i = 0; i <= turns; ++i)
+        {
+            const auto from = step * static_cast<float> (i);
+            const auto at = outline.getPointAlongPath (from);
+            const auto along = outline.getPointAlongPath (std::min (from + 1, length))
+                               - outline.getPointAlongPath (std::max (0.0f, from - 1));
+            const auto side = (i % 2 == 0 ? depth : -depth) / std::max (1e-3f, along.getDistanceFromOrigin());
+            const auto turn = at + juce::Point<float> (along.y, -along.x) * side;
+            if (i == 0)
+                zigzag.startNewSubPath (turn);
+            else
+                zigzag.lineTo (turn);
+        }
+        g.strokePath (zigzag, juce::PathStrokeType (theme.lineWidth));
+    }
+}
 } // namespace
 
 void draw (juce::Graphics& g, juce::Rectangle<float> area, const PlanView& chart, const Theme& theme)
@@ -85,6 +118,7 @@ void draw (juce::Graphics& g, juce::Rectangle<float> area, const PlanView& chart
         g.drawRect (frame.plot, theme.lineWidth);
     drawSurface (g, frame, chart.surface, theme);
     drawHeldPieces (g, frame, chart, theme);
+    drawElasticPieces (g, frame, chart, theme);
     drawHeldEdges (g, frame, chart, theme);
     g.setColour (theme.span);
     for (const auto& rectangle : chart.rectangles)

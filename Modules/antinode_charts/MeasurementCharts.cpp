@@ -65,7 +65,8 @@ LineChart curves (const SurfaceMeasurement& measurement, const Values& values)
 LineChart responseChart (const SurfaceMeasurement& measurement)
 {
     auto chart = curves (measurement, [&] (auto ceramic) { return effectiveVelocity (measurement, ceramic); });
-    chart.yLabel = "RMS velocity (mm/s per V)";
+    chart.yLabel =
+        measurement.responses.drive == DriveQuantity::force ? "RMS velocity (mm/s per N)" : "RMS velocity (mm/s per V)";
     chart.logarithmicY = true;
     return chart;
 }
@@ -84,7 +85,7 @@ HeatMap signalToNoiseChart (const SurfaceMeasurement& measurement)
     HeatMap chart;
     const auto coherence = meanCoherence (measurement);
     chart.xLabel = "point";
-    chart.yLabel = "ceramic";
+    chart.yLabel = measurement.responses.drive == DriveQuantity::force ? "hit point" : "ceramic";
     chart.valueLabel = "signal to noise (dB)";
     constexpr double best = 1 - 1e-12;
     const Eigen::ArrayXXd known = coherence.transpose().array().min (best).max (1e-12);
@@ -101,6 +102,22 @@ HeatMap signalToNoiseChart (const SurfaceMeasurement& measurement)
     for (const auto& reference : measurement.responses.references)
         chart.rowNames.push_back (reference.name);
 
+    return chart;
+}
+
+LineChart forceChart (const Eigen::VectorXd& magnitude, double spacing, const Eigen::VectorXd& usedFrequencies)
+{
+    constexpr double lowest = 1e-4;          // of the largest line
+    const auto lines = magnitude.size() - 1; // Without the first: a logarithmic axis has no 0.
+    LineChart chart;
+    chart.xLabel = "frequency (Hz)";
+    chart.yLabel = "force (dB of the largest)";
+    chart.logarithmicX = true;
+    chart.series = { { {},
+                       spacing * Eigen::VectorXd::LinSpaced (lines, 1, static_cast<double> (lines)),
+                       20 * (magnitude.tail (lines) / magnitude.maxCoeff()).array().max (lowest).log10() } };
+    chart.yRange = AxisRange { 20 * std::log10 (lowest), 0 };
+    chart.spans = { { usedFrequencies[0], usedFrequencies[usedFrequencies.size() - 1], "used" } };
     return chart;
 }
 } // namespace antinode

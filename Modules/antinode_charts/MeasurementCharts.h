@@ -6,13 +6,20 @@
 
 namespace antinode
 {
-/** The RMS velocity of all points over frequency, one curve per ceramic; of many ceramics the strongest ones. [worker]
- */
+/** The RMS velocity of all points over frequency, one curve per reference: a ceramic, or a place of the hammer. Of many
+    references the strongest ones. [worker] */
 LineChart responseChart (const SurfaceMeasurement&);
 
-/** The coherence over frequency, averaged over the points, one curve per ceramic; the same ceramics. [worker] */
+/** The coherence over frequency, averaged over the points, one curve per reference; the same references. [worker] */
 LineChart coherenceChart (const SurfaceMeasurement&);
 
-/** The signal-to-noise ratio in dB, from the mean coherence: one row per ceramic, one column per point. [worker] */
+/** The signal-to-noise ratio in dB, from the mean coherence: one row per reference, one column per point.
+    [worker] */
 HeatMap signalToNoiseChart (const SurfaceMeasurement&);
+
+/** The spectrum of a hammer's force in dB of its largest line, the lines that are used as a span.
+    @param magnitude  as forceMagnitude()
+    @param spacing    of its lines, Hz
+    [worker] */
+LineChart forceChart (const Eigen::VectorXd& magnitude, double spacing, const Eigen::VectorXd& usedFrequencies);
 } // namespace antinode

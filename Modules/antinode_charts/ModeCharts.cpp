@@ -46,15 +46,12 @@ Eigen::MatrixXd scaledToOne (const Eigen::MatrixXd& shape)
     return largest > 0 ? Eigen::MatrixXd (shape / largest) : shape;
 }
 
-/** The parts of a boundary that are held as open lines, mm. */
-MapShape heldPieces (const Surface& surface)
+/** Parts of a boundary as open lines, mm. */
+MapShape linesOf (const std::vector<PathPiece>& pieces)
 {
-    if (! surface.boundary)
-        return {};
-
     MapShape lines;
 
-    for (const auto& piece : surface.boundary->held)
+    for (const auto& piece : pieces)
     {
         lines.push_back (shapeOf ({ { { piece } } }).front());
         lines.back().push_back (milli * piece.end);
@@ -108,7 +105,7 @@ std::vector<Panel> lineShapes (const ModalModel& model, Eigen::Index count)
 }
 } // namespace
 
-PlanView deviceChart (const ModalModel& model)
+PlanView deviceChart (const ModalModel& model, const std::vector<PathPiece>& elastic)
 {
     const auto& surface = model.surface;
     PlanView view;
@@ -124,7 +121,11 @@ PlanView deviceChart (const ModalModel& model)
         view.yLabel = "y (mm)";
         view.y = { surface.yMinimum * milli, surface.yMaximum * milli };
         view.surface = surfaceShape (surface);
-        view.heldPieces = heldPieces (surface);
+
+        if (surface.boundary)
+            view.heldPieces = linesOf (surface.boundary->held);
+
+        view.elasticPieces = linesOf (elastic);
         view.heldBottom = isKnown && surface.held.bottom;
         view.heldTop = isKnown && surface.held.top;
         return view;

@@ -6,8 +6,10 @@
 
 namespace antinode
 {
-/** A device from above: its surface and where the ceramics lie. [any] */
-PlanView deviceChart (const ModalModel&);
+/** A device from above: its surface and where the ceramics lie.
+    @param elastic  the parts of its boundary that rest on springs, m
+    [any] */
+PlanView deviceChart (const ModalModel&, const std::vector<PathPiece>& elastic = {});
 
 /** The shapes of the lowest modes, each scaled to its own largest value and named with its number and frequency: small
    maps with nodal lines of a plate, curves of a line.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace antinode
 {
@@ -70,20 +71,24 @@ Eigen::VectorXcd forceSpectrum (FourierTables& tables, const UsedHit& used, cons
 }
 } // namespace
 
-HammerLines drivenLines (const std::vector<HammerRecording>& recordings, const HammerTest& test, double lowest,
-                         double highest)
+Eigen::VectorXd forceMagnitude (const std::vector<HammerRecording>& recordings, const HammerTest& test)
 {
     std::vector<std::size_t> all (recordings.size());
-
-    for (std::size_t i = 0; i < all.size(); ++i)
-        all[i] = i;
-
+    std::iota (all.begin(), all.end(), 0);
+    const auto used = usedHitsOf (recordings, test, all);
     FourierTables tables;
     Eigen::ArrayXd power = Eigen::ArrayXd::Zero (test.block / 2 + 1);
 
-    for (const auto& used : usedHitsOf (recordings, test, all))
-        power += forceSpectrum (tables, used, test).array().abs2();
+    for (const auto& hit : used)
+        power += forceSpectrum (tables, hit, test).array().abs2();
 
+    return (power / static_cast<double> (used.size())).sqrt() / recordings.front().sampleRate;
+}
+
+HammerLines drivenLines (const std::vector<HammerRecording>& recordings, const HammerTest& test, double lowest,
+                         double highest)
+{
+    const Eigen::ArrayXd power = forceMagnitude (recordings, test).array().square();
     const auto spacing = recordings.front().sampleRate / static_cast<double> (test.block);
     const auto largest = power.maxCoeff();
     HammerLines lines;

@@ -12,6 +12,10 @@ struct HammerLines
     Eigen::VectorXd frequencies;      ///< Hz
 };
 
+/** The magnitude of the force of all usable hits, from line 0 to half the sample rate, N s: block / 2 + 1 effective
+   values over the hits. [worker] */
+Eigen::VectorXd forceMagnitude (const std::vector<HammerRecording>&, const HammerTest&);
+
 /** The lines up to the first one at which the mean force is 30 dB below its largest, or to a limit.
     @param lowest, highest  Hz; highest 0: by the force
     @throws InputError  where less than two lines are left [worker] */

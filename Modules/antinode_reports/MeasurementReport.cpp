@@ -2,7 +2,7 @@
 
 #include <antinode_base/NumberText.h>
 #include <antinode_charts/MeasurementCharts.h>
-#include <antinode_text/OutputFolder.h>
+#include <antinode_measurement/HammerResponses.h>
 
 #include <algorithm>
 #include <array>
@@ -50,17 +50,29 @@ std::vector<ReportScore> measurementScores (const SurfaceMeasurement& measuremen
     return scores;
 }
 
+bool isOfHammer (const SurfaceMeasurement& measurement)
+{
+    return measurement.responses.drive == DriveQuantity::force;
+}
+
+ReportFigure responseFigure (const SurfaceMeasurement& measurement)
+{
+    return { isOfHammer (measurement)
+                 ? "RMS velocity of all points per newton, one curve per hit point. Peaks are modes; a mode whose peak "
+                   "is missing has a node at the hit point."
+                 : "RMS velocity of all points per volt, one curve per ceramic. Peaks are modes; a ceramic without "
+                   "peaks does not excite the surface.",
+             {},
+             responseChart (measurement),
+             reportFigureWidth,
+             curveHeight };
+}
+
 ReportSection responseSection (const SurfaceMeasurement& measurement)
 {
     ReportSection section;
     section.heading = "Responses";
-    section.figures.push_back (
-        { "RMS velocity of all points per volt, one curve per ceramic. Peaks are modes; a ceramic without peaks does "
-          "not excite the surface.",
-          {},
-          responseChart (measurement),
-          reportFigureWidth,
-          curveHeight });
+    section.figures.push_back (responseFigure (measurement));
     section.figures.push_back ({ "Mean coherence over the points. It is low where the surface hardly moves, between "
                                  "modes, and where there is noise or distortion.",
                                  {},
@@ -76,9 +88,11 @@ ReportSection pointSection (const SurfaceMeasurement& measurement)
     ReportSection section;
     section.heading = "Point by point";
     section.figures.push_back (
-        { "Signal-to-noise ratio of each point and ceramic, from the coherence. Points near held "
-          "edges and nodal lines move less. A dark column is a point to measure again, a "
-          "dark row is a ceramic to check.",
+        { std::string ("Signal-to-noise ratio of each point and ")
+              + (isOfHammer (measurement) ? "hit point" : "ceramic")
+              + ", from the coherence. Points near held edges and nodal lines move less. A dark column is a point to "
+                "measure again, a dark row is a "
+              + (isOfHammer (measurement) ? "hit point" : "ceramic") + " to check.",
           {},
           signalToNoiseChart (measurement),
           reportFigureWidth,
@@ -118,6 +132,54 @@ ReportTable distortionTable (const SurfaceMeasurement& measurement)
     return table;
 }
 
+std::vector<ReportScore> hammerScores (const HammerTest& test, const SurfaceMeasurement& measured)
+{
+    const auto& frequencies = measured.responses.frequencies;
+    std::size_t all = 0;
+
+    for (const auto& hits : test.hits)
+        all += hits.size();
+
+    return { { "hits", std::to_string (test.usedHits()) + " of " + std::to_string (all),
+               "Those that are used; the table says why others are not." },
+             { "lines", std::to_string (frequencies.size()),
+               "From " + inWords (frequencies[0]) + " to " + inWords (frequencies[frequencies.size() - 1]) + " Hz." },
+             { "coherence", coherenceText (measured),
+               "Mean fraction of the velocity's power that is due to the force; 1 is best." } };
+}
+
+ReportSection forceSection (const std::vector<HammerRecording>& recordings, const HammerTest& test,
+                            const Eigen::VectorXd& frequencies)
+{
+    const auto spacing = recordings.front().sampleRate / static_cast<double> (test.block);
+    ReportSection section;
+    section.heading = "Force";
+    section.figures.push_back ({ "Spectrum of the force, effective value over the hits. It has to reach as far as the "
+                                 "highest mode: a harder tip and a lighter hammer reach further.",
+                                 {},
+                                 forceChart (forceMagnitude (recordings, test), spacing, frequencies),
+                                 reportFigureWidth,
+                                 curveHeight });
+    return section;
+}
+
+ReportTable hitTable (const std::vector<HammerRecording>& recordings, const HammerTest& test)
+{
+    ReportTable table { "Hits", { "recording", "hit", "time (s)", "peak (N)", "" }, {} };
+
+    for (std::size_t i = 0; i < recordings.size(); ++i)
+        for (std::size_t h = 0; h < test.hits[i].size(); ++h)
+        {
+            const auto& hit = test.hits[i][h];
+            table.rows.push_back ({ recordings[i].source, std::to_string (h + 1),
+                                    fixedText (static_cast<double> (hit.trigger) / recordings[i].sampleRate, 3),
+                                    formatted ("%.4g", hit.peak),
+                                    hit.fault.empty() ? "used" : "left out: " + hit.fault });
+        }
+
+    return table;
+}
+
 bool showsDistortion (const ExcitationSettings& settings)
 {
     return settings.hasOddGrid || settings.signal == ExcitationSignal::sweep;
@@ -143,12 +205,28 @@ ReportPage measurementReport (const SurfaceMeasurement& measurement, const Excit
     return page;
 }
 
-void writeMeasurementReport (const std::string& folderName, const SurfaceMeasurement& measurement,
-                             const ExcitationSheet& sheet)
+ReportPage hammerReport (const std::vector<HammerRecording>& recordings, const HammerTest& test,
+                         const SurfaceMeasurement& measured)
 {
-    OutputFolder folder (folderName);
-    folder.write ("report.html", renderReport (measurementReport (measurement, sheet)));
-    folder.commit();
+    ReportPage page;
+    page.title = "Test with a hammer";
+    page.subtitle = "Velocity of the surface per newton";
+    page.scores = hammerScores (test, measured);
+    page.sections = { forceSection (recordings, test, measured.responses.frequencies) };
+
+    if (! measured.coherence.empty() && std::isfinite (meanOfKnown (meanCoherence (measured))))
+    {
+        page.sections.push_back (responseSection (measured));
+        page.sections.push_back (pointSection (measured));
+    }
+    else
+        page.sections.push_back ({ "Responses",
+                                   { "One hit each: there is no coherence. Three to five hits of a point show noise." },
+                                   { responseFigure (measured) },
+                                   {} });
+
+    page.sections.push_back ({ "Hits", {}, {}, { hitTable (recordings, test) } });
+    return page;
 }
 
 void printMeasurement (const SurfaceMeasurement& measurement, const ExcitationSheet& sheet)

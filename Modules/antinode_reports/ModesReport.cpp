@@ -22,15 +22,16 @@ bool isPlate (const ModalModel& model)
     return model.surface.kind == SurfaceKind::plate;
 }
 
-ReportSection deviceSection (const ModalModel& model)
+ReportSection deviceSection (const ModalModel& model, const std::vector<PathPiece>& elastic)
 {
     ReportSection section;
     section.heading = "Device";
     section.figures.push_back (
         { "The surface from above, with the ceramics. Ceramic k is output channel k. Hatched edges are held: clamped "
-          "or simply supported.",
+          "or simply supported."
+              + std::string (elastic.empty() ? "" : " Zigzag edges rest on springs."),
           {},
-          deviceChart (model),
+          deviceChart (model, elastic),
           reportFigureWidth,
           isPlate (model) ? plateFigureHeight (model.surface, reportFigureWidth, 1, 1) : lineDeviceHeight });
     return section;
@@ -120,14 +121,14 @@ ReportSection tableSection (const ModalModel& model)
 }
 } // namespace
 
-ReportPage modesReport (const ModalModel& model)
+ReportPage modesReport (const ModalModel& model, const std::vector<PathPiece>& elastic)
 {
     ReportPage page;
     page.title = model.name + ": modes";
     page.subtitle = std::to_string (model.modes()) + " modes from " + inWords (model.frequencyHz (0)) + " Hz to "
                     + inWords (model.frequencyHz (model.modes() - 1)) + " Hz, " + std::to_string (model.actuators())
                     + " ceramics";
-    page.sections = { deviceSection (model), shapeSection (model) };
+    page.sections = { deviceSection (model, elastic), shapeSection (model) };
 
     if (model.actuators() > 0)
         page.sections.push_back (participationSection (model));

@@ -108,19 +108,31 @@ bool isHeld (EdgeCondition condition)
 
 namespace
 {
-/** The parts of a boundary at which a plate cannot move; springs do not count. */
-std::vector<PathPiece> heldPieces (const OutlinedPlate& plate)
+/** The parts of a boundary whose edges are so. */
+template <typename IsSo>
+std::vector<PathPiece> piecesWhere (const OutlinedPlate& plate, const IsSo& isSo)
 {
     std::vector<PathPiece> pieces;
 
     for (const auto& path : plate.outline.paths)
         for (const auto& piece : path)
-            if (isHeld (plate.edges[static_cast<std::size_t> (piece.edge)].condition))
+            if (isSo (plate.edges[static_cast<std::size_t> (piece.edge)]))
                 pieces.push_back (piece);
 
     return pieces;
 }
 } // namespace
+
+std::vector<PathPiece> elasticPieces (const DeviceDescription& device)
+{
+    if (const auto* const measured = std::get_if<MeasuredDevice> (&device.body))
+        return elasticPieces (*measured->drawing);
+
+    const auto* const plate = std::get_if<OutlinedPlate> (&device.body);
+    return plate == nullptr
+               ? std::vector<PathPiece>()
+               : piecesWhere (*plate, [] (const PlateEdge& edge) { return edge.translation > 0 || edge.rotation > 0; });
+}
 
 Surface outlinedSurface (const OutlinedPlate& plate)
 {
@@ -131,7 +143,8 @@ Surface outlinedSurface (const OutlinedPlate& plate)
     surface.xMaximum = extent.largest.x();
     surface.yMinimum = extent.least.y();
     surface.yMaximum = extent.largest.y();
-    surface.boundary = SurfaceBoundary { plate.outline, heldPieces (plate) };
+    surface.boundary = SurfaceBoundary { plate.outline, piecesWhere (plate, [] (const PlateEdge& edge)
+                                                                     { return isHeld (edge.condition); }) };
     return surface;
 }
 } // namespace antinode

@@ -22,6 +22,9 @@ void settleEqualFrequencies (ModalModel&);
 /** Whether a surface cannot move at such an edge. [any] */
 bool isHeld (EdgeCondition);
 
+/** The parts of a device's boundary that rest on springs, m. [any] */
+std::vector<PathPiece> elasticPieces (const DeviceDescription&);
+
 /** Extent and boundary of an outlined plate, which springs do not hold; without points. [any] */
 Surface outlinedSurface (const OutlinedPlate&);
 } // namespace antinode

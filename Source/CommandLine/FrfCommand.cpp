@@ -31,10 +31,21 @@ void refuse (const std::vector<const CLI::Option*>& options, const std::string& 
             throw InputError (option->get_name(), wrong);
 }
 
+void writeReport (const std::string& folderName, const ReportPage& page)
+{
+    if (folderName.empty())
+        return;
+
+    OutputFolder folder (folderName);
+    folder.write ("report.html", renderReport (page));
+    folder.commit();
+}
+
 void estimateFromHammer (const FrfOptions& options)
 {
     const auto measurement = measureHammerFiles (options.files, options.recordings.pointsFile,
                                                  estimatorNamed (options.estimator), options.hammer);
+    writeReport (options.reportFolder, hammerReport (measurement));
     writeWholeFile (options.outputFile, encodeUniversalFile (hammerSets (measurement)));
     printHammer (measurement);
     std::printf ("Responses: %s\n", options.outputFile.c_str());
@@ -49,9 +60,7 @@ void estimateFromExcitation (const FrfOptions& options)
     const auto sheet = readSheet (options.files.front());
     const auto measurement = estimateResponses (sheet, recordings);
 
-    if (! options.reportFolder.empty())
-        writeMeasurementReport (options.reportFolder, measurement, sheet);
-
+    writeReport (options.reportFolder, measurementReport (measurement, sheet));
     writeWholeFile (options.outputFile, measurementText (measurement));
     printMeasurement (measurement, sheet);
 
@@ -109,7 +118,7 @@ void addFrfCommand (CLI::App& app)
     std::vector<const CLI::Option*> ofExcitation;
 
     for (const auto* const name : { "--sensitivity-mm-s-per-v", "--input-full-scale-v", "--sync-channel",
-                                    "--reference-channel", "--reference-full-scale", "--latency-ms", "--report" })
+                                    "--reference-channel", "--reference-full-scale", "--latency-ms" })
         ofExcitation.push_back (command->get_option (name));
 
     addHammerRecordingOptions (*command, options->hammer);

@@ -205,6 +205,12 @@ HammerMeasurement measureHammerFiles (const std::vector<std::string>& files, con
     return measurement;
 }
 
+ReportPage hammerReport (const HammerMeasurement& measurement)
+{
+    return hammerReport (measurement.recordings, measurement.test,
+                         { measurement.responses, measurement.coherence, {}, {} });
+}
+
 void printHammer (const HammerMeasurement& measurement)
 {
     printHits (measurement);

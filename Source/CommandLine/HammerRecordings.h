@@ -1,5 +1,6 @@
 #pragma once
 
+#include <antinode_reports/MeasurementReport.h>
 #include <antinode_responses/HammerMeasurement.h>
 
 #include <CLI/CLI.hpp>
@@ -31,6 +32,9 @@ void addHammerRecordingOptions (CLI::App&, HammerRecordingOptions&);
     [worker] Docs/Theory.md, section 8.11. */
 HammerMeasurement measureHammerFiles (const std::vector<std::string>& files, const std::string& pointsFile,
                                       ResponseEstimator, const HammerRecordingOptions&);
+
+/** MeasurementReport.h [worker] */
+ReportPage hammerReport (const HammerMeasurement&);
 
 /** Tells the terminal what was measured, and which hits were left out and why. */
 void printHammer (const HammerMeasurement&);

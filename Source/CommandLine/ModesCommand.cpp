@@ -8,6 +8,7 @@
 #include <antinode_identification/Retuning.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_reports/ModesReport.h>
+#include <antinode_structure/DescribedModel.h>
 #include <antinode_structure/DeviceKind.h>
 #include <antinode_text/OutputFolder.h>
 #include <antinode_universal/UniversalFile.h>
@@ -100,10 +101,10 @@ void printTable (const ModalModel& model)
         std::printf ("%s\n", warning.c_str());
 }
 
-void writeReport (const std::string& target, const ModalModel& model)
+void writeReport (const std::string& target, const ModalModel& model, const std::vector<PathPiece>& elastic)
 {
     OutputFolder folder (target);
-    folder.write ("report.html", renderReport (modesReport (model)));
+    folder.write ("report.html", renderReport (modesReport (model, elastic)));
     folder.commit();
 }
 
@@ -116,7 +117,7 @@ void listModes (const ModesOptions& options)
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
 
     if (! options.reportFolder.empty())
-        writeReport (options.reportFolder, model);
+        writeReport (options.reportFolder, model, elasticPieces (description));
 
     if (! options.csvFile.empty())
         writeWholeFile (options.csvFile, encodeModeTable (model));

@@ -26,8 +26,8 @@ struct EstimatedValue
     std::vector<Eigen::MatrixXd> coherence; ///< N_b of N_f x N_p
     std::string universalFile;
     std::vector<std::string> warnings;
-    std::optional<ReportPage> report; ///< Of an excitation.
-    int hits = 0, hitsLeftOut = 0;    ///< Of a hammer.
+    ReportPage report;
+    int hits = 0, hitsLeftOut = 0; ///< Of a hammer.
 };
 
 using Estimated = std::shared_ptr<EstimatedValue>;
@@ -54,14 +54,9 @@ Estimated ofHammer (const std::vector<std::string>& files, const std::string& po
             [&]
             {
                 const auto measured = measureHammerFiles (files, points, estimatorNamed (estimator), options);
-                auto value =
-                    std::make_shared<EstimatedValue> (EstimatedValue { measured.responses,
-                                                                       measured.coherence,
-                                                                       encodeUniversalFile (hammerSets (measured)),
-                                                                       measured.remarks,
-                                                                       {},
-                                                                       0,
-                                                                       0 });
+                auto value = std::make_shared<EstimatedValue> (EstimatedValue {
+                    measured.responses, measured.coherence, encodeUniversalFile (hammerSets (measured)),
+                    measured.remarks, hammerReport (measured), 0, 0 });
 
                 for (const auto& hits : measured.test.hits)
                     for (const auto& hit : hits)
@@ -92,14 +87,6 @@ std::vector<std::string> referenceNames (const EstimatedValue& value)
     return names;
 }
 
-const ReportPage& reportOf (const EstimatedValue& value)
-{
-    if (! value.report)
-        throw InputError ("report", "is there of an excitation only; allowed: recordings with a sheet");
-
-    return *value.report;
-}
-
 /** @param report  a folder; empty: no report is written */
 void save (const EstimatedValue& value, const std::string& file, const std::string& report)
 {
@@ -109,7 +96,7 @@ void save (const EstimatedValue& value, const std::string& file, const std::stri
             if (! report.empty())
             {
                 OutputFolder folder (report);
-                folder.write ("report.html", renderReport (reportOf (value)));
+                folder.write ("report.html", renderReport (value.report));
                 folder.commit();
             }
 
@@ -166,11 +153,10 @@ void bindFrf (py::module_& module)
                { return copyOf (ofReference (value.responses.values, reference)); });
     bound.def ("coherence", [] (const py::object& self, std::size_t reference)
                { return viewOf (ofReference (self.cast<const EstimatedValue&>().coherence, reference), self); });
-    bound.def_property_readonly ("has_report", [] (const EstimatedValue& value) { return value.report.has_value(); });
     bound.def_property_readonly ("warnings", [] (const EstimatedValue& value) { return value.warnings; });
     bound.def_property_readonly ("hits", [] (const EstimatedValue& value) { return value.hits; });
     bound.def_property_readonly ("hits_left_out", [] (const EstimatedValue& value) { return value.hitsLeftOut; });
     bound.def ("save", &save);
-    bindFigures (bound, [] (const EstimatedValue& value) { return reportOf (value); });
+    bindFigures (bound, [] (const EstimatedValue& value) { return value.report; });
 }
 } // namespace antinode

@@ -5,6 +5,7 @@
 #include "SettingsFile.h"
 
 #include <Processor/FirstWarning.h>
+#include <Processor/StepParameters.h>
 
 #include <antinode_session/LevelMeters.h>
 #include <antinode_session/UserMessages.h>

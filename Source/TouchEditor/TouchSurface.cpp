@@ -34,7 +34,7 @@ void addWords (juce::PopupMenu& menu, IntegerParameter& parameter)
     constexpr int longest = 32;
     const auto& asHostsSee = static_cast<const juce::AudioProcessorParameter&> (parameter);
 
-    for (int i = 0; i <= parameter.getRange().getEnd(); ++i)
+    for (int i = 0; i < parameter.getNumSteps(); ++i)
         menu.addItem (asHostsSee.getText (parameter.convertTo0to1 (static_cast<float> (i)), longest), true,
                       parameter.get() == i, [&parameter, i] { choose (parameter, i); });
 }

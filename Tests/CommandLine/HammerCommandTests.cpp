@@ -31,17 +31,37 @@ TEST_CASE ("frf turns a recording of a hammer into responses, which identify rea
     }
 
     const auto wave = [&path] (int number) { return (path / ("hit" + std::to_string (number) + ".wav")).string(); };
-    const ProgramArguments arguments {
-        "frf",           wave (1), wave (2),           wave (3), "--channels", "force:1,1,2",
-        "--force-scale", "100",    "--response-scale", "10",     "--quantity", "velocity",
-        "--lowest-hz",   "50",     "--highest-hz",     "1000",   "--out",      (path / "h.uff").string()
-    };
+    const ProgramArguments arguments { "frf",
+                                       wave (1),
+                                       wave (2),
+                                       wave (3),
+                                       "--channels",
+                                       "force:1,1,2",
+                                       "--force-scale",
+                                       "100",
+                                       "--response-scale",
+                                       "10",
+                                       "--quantity",
+                                       "velocity",
+                                       "--lowest-hz",
+                                       "50",
+                                       "--highest-hz",
+                                       "1000",
+                                       "--out",
+                                       (path / "h.uff").string(),
+                                       "--report",
+                                       (path / "report").string() };
     auto run = runProgram (arguments);
     INFO (run.errors);
     REQUIRE (run.exitCode == 0);
     CHECK (run.output.find ("hit1.wav: 1 of 1 hits used") != std::string::npos);
     CHECK (run.output.find ("hit 1 at 0.030 s left out: double hit: 3") != std::string::npos);
     CHECK (run.output.find ("identify takes its damping off again") != std::string::npos);
+
+    const auto report = test::readContent (path / "report" / "report.html");
+    CHECK (report.find ("Spectrum of the force") != std::string::npos);
+    CHECK (report.find ("left out: double hit: 3") != std::string::npos);
+    CHECK (report.find ("one curve per hit point") != std::string::npos);
 
     run = runProgram ({ "identify", (path / "h.uff").string(), "--out", (path / "d.json").string() });
     INFO (run.errors);

@@ -20,6 +20,13 @@ TEST_CASE ("The report of modes names each with its strongest ceramic", "[comman
     CHECK (table.rows[41][3] == model.ceramics[static_cast<std::size_t> (best)].name);
     CHECK (page.sections[1].figures[0].caption.find ("The lowest 48 of 60 modes") == 0);
 
+    // An edge on springs is drawn, and named below the picture.
+    const auto elastic = modesReport (model, { linePiece ({ 0, 0 }, { 0.1, 0 }, 0) });
+    const auto& picture = elastic.sections[0].figures[0];
+    CHECK (std::get<PlanView> (picture.chart).elasticPieces.size() == 1);
+    CHECK (picture.caption.find ("rest on springs") != std::string::npos);
+    CHECK (page.sections[0].figures[0].caption.find ("springs") == std::string::npos);
+
     auto without = model;
     without.ceramics.clear();
     without.participation.resize (60, 0);

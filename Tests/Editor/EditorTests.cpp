@@ -234,7 +234,7 @@ TEST_CASE ("What is wrong with a focus is said in the words of the window, and g
     };
     const auto isCalm = [&] { return status.urgency() == Urgency::calm; };
     test.waitUntil (isCalm);
-    set ("width", 4); // far narrower than six modes represent
+    set ("width", 12); // narrower than six modes represent
     test.waitUntil ([&] { return says ("of the focus (good: 0.9 or more). Raise Width"); });
     set ("width", 25);
     test.waitUntil (isCalm);

@@ -220,7 +220,10 @@ TEST_CASE ("A node as a processor gets no more samples than it was prepared for"
     gain.processBlock (buffer, none);
 
     for (int i = 0; i < ceramics; ++i)
-        CHECK (buffer.findMinMax (i, 0, 100) == juce::Range<float> (i + 1.0F, i + 1.0F));
+    {
+        const auto gained = static_cast<float> (i + 1);
+        CHECK (buffer.findMinMax (i, 0, 100) == juce::Range<float> (gained, gained));
+    }
 }
 
 TEST_CASE ("Notes become events to the sample", "[graph]")

@@ -135,8 +135,8 @@ TEST_CASE ("All sound off and all notes off reach the parameter that stops all f
     auto* const mapping = static_cast<Vst::IMidiMapping*> (found);
     const auto stop = plugin.parameter (u"Stop");
 
-    for (const Steinberg::int16 channel : { 0, 7, 15 })
-        for (const Vst::CtrlNumber controller : { 120, 123 })
+    for (Steinberg::int16 channel = 0; channel < 16; ++channel)
+        for (const auto controller : std::initializer_list<Vst::CtrlNumber> { 120, 123 })
         {
             Vst::ParamID assigned = 0;
             CHECK (mapping->getMidiControllerAssignment (0, channel, controller, assigned) == kResultTrue);

@@ -178,7 +178,7 @@ def excite(
 
 class Estimated(Reported):
     """Velocities per volt, or per newton of a hammer: N_f lines, N_p points, N_r references. Made by
-    :func:`antinode.frf`. Only recordings of an excitation have a report, and figures."""
+    :func:`antinode.frf`."""
 
     def __init__(self, core: _antinode.Estimated) -> None:
         self._core: _antinode.Estimated = core
@@ -186,9 +186,6 @@ class Estimated(Reported):
     def __repr__(self) -> str:
         lines, points = len(self.frequencies_Hz), len(self.points_m)
         return f"<antinode.Estimated: {lines} lines, {points} points, {len(self.references)} references>"
-
-    def _repr_png_(self) -> Optional[bytes]:  # type: ignore[override]
-        return self.png() if self._core.has_report else None
 
     @property
     def frequencies_Hz(self) -> Floats:
@@ -235,10 +232,10 @@ class Estimated(Reported):
 
         Args:
             file: for :func:`antinode.identify` and :func:`antinode.retune`.
-            report: a folder for ``report.html``, of recordings of an excitation.
+            report: a folder for ``report.html``.
 
         Raises:
-            InputError: a file cannot be written, or there is no report.
+            InputError: a file cannot be written.
         """
         self._core.save(os.fspath(file), "" if report is None else os.fspath(report))
 

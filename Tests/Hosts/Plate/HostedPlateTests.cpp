@@ -68,10 +68,10 @@ TEST_CASE ("A hosted plate keeps its device and its probes, and a broken state c
 
 TEST_CASE ("A hosted plate plays blocks longer than it was prepared for", "[hosted][plate]")
 {
-    const auto plugin = GENERATE (from_range (builtEffects (16)));
+    const auto plugin = GENERATE (from_range (builtEffects()));
     CAPTURE (plugin.isLv2);
     auto whole = hosted (plugin, length), parts = hosted (plugin, 64);
-    const auto voltages = sines (16, length);
+    const auto voltages = sines (plugin.ceramics, length);
     const Eigen::MatrixXd expected = whole.play (voltages);
     CHECK (expected.cwiseAbs().maxCoeff() > 1e-5);
     CHECK (parts.play (voltages, length) == expected);
