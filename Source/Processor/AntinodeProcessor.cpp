@@ -33,7 +33,7 @@ AntinodeProcessor::AntinodeProcessor (int ceramics, WrapperType wrapperToUse)
                                              { return player != nullptr ? player->snapshot()->model : nullptr; });
 
     if (wrapper == wrapperType_VST3)
-        addStop();
+        controls->stepReports().add (addStop());
 
     controls->setFocus (settingsFromFocus (loadedFocus->description, deviceExtent (loadedDevice->description), {}));
     player = std::make_unique<Session> (

@@ -86,16 +86,19 @@ StepReports::StepReports (const std::vector<juce::RangedAudioParameter*>& parame
 {
     for (auto* const parameter : parameters)
         if (hasSteps (*parameter))
-        {
-            steps.push_back (std::make_unique<Step> (parameter));
-            parameter->addListener (this);
-        }
+            add (*parameter);
 }
 
 StepReports::~StepReports()
 {
     for (const auto& step : steps)
         step->parameter->removeListener (this);
+}
+
+void StepReports::add (juce::RangedAudioParameter& parameter)
+{
+    steps.push_back (std::make_unique<Step> (&parameter));
+    parameter.addListener (this);
 }
 
 void StepReports::tell()

@@ -83,6 +83,9 @@ public:
     explicit StepReports (const std::vector<juce::RangedAudioParameter*>& parameters);
     ~StepReports() override;
 
+    /** One more. [message thread] */
+    void add (juce::RangedAudioParameter&);
+
     /** Whether there is something to tell. [any] */
     bool isWaiting() const { return waits; }
 

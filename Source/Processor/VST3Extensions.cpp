@@ -91,6 +91,19 @@ private:
     int32 offset, first, last;
 };
 
+/** Stands at 1 whatever a host sets, so that each stop is a change, whose controllers are all 0. */
+class StopParameter final : public SwitchParameter
+{
+public:
+    explicit StopParameter (const juce::String& identifier)
+        : SwitchParameter (juce::ParameterID (identifier, 1), "Stop", true, flagTexts ("play", "stop"), false)
+    {
+    }
+
+private:
+    void setValue (float) override {}
+};
+
 /** Sends the controllers that stop to a parameter. */
 class StopMapping final : public Vst::IMidiMapping
 {
@@ -141,13 +154,14 @@ class VST3Extensions::Parts final : public Vst::IAudioProcessor
 public:
     explicit Parts (juce::AudioProcessor& processorToAsk) : processor (processorToAsk) {}
 
-    void addStop()
+    juce::RangedAudioParameter& addStop()
     {
         constexpr Vst::ParamID positive = 0x7fffffff;
         const juce::String identifier ("stop");
-        processor.addParameter (
-            new SwitchParameter (juce::ParameterID (identifier, 1), "Stop", false, flagTexts ("stop", "play"), false));
+        auto* const parameter = new StopParameter (identifier);
+        processor.addParameter (parameter);
         stopIdentifier = static_cast<Vst::ParamID> (identifier.hashCode()) & positive;
+        return *parameter;
     }
 
     /** As the wrapper numbers it; none: nothing is to be stopped. */
@@ -306,9 +320,9 @@ VST3Extensions::VST3Extensions (juce::AudioProcessor& processor) : parts (std::m
 
 VST3Extensions::~VST3Extensions() = default;
 
-void VST3Extensions::addStop()
+juce::RangedAudioParameter& VST3Extensions::addStop()
 {
-    parts->addStop();
+    return parts->addStop();
 }
 
 int32_t VST3Extensions::queryIEditController (const Steinberg::TUID identifier, void** object)
@@ -322,9 +336,11 @@ int32_t VST3Extensions::queryIEditController (const Steinberg::TUID identifier, 
     return Steinberg::kResultOk;
 }
 
+/** Hosts of JUCE ask the component too, and the controller before it knows its processor. */
 int32_t VST3Extensions::queryIAudioProcessor (const Steinberg::TUID identifier, void** object)
 {
-    *object = nullptr;
+    if (queryIEditController (identifier, object) == Steinberg::kResultOk)
+        return Steinberg::kResultOk;
 
     if (! Steinberg::FUnknownPrivate::iidEqual (identifier, Vst::IAudioProcessor::iid) || parts->find() == nullptr)
         return Steinberg::kNoInterface;

@@ -22,7 +22,7 @@ public:
 protected:
     /** Adds the parameter "Stop" of a VST3 that plays notes: whatever a host sends to it stops them, and so do all
        sound off and all notes off. [message thread] before the host knows of parameters */
-    void addStop();
+    juce::RangedAudioParameter& addStop();
 
 private:
     class Parts;

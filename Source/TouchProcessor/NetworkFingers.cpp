@@ -40,12 +40,11 @@ NetworkFingers::~NetworkFingers()
 void NetworkFingers::open (const TouchPorts& ports)
 {
     const std::lock_guard lock (mutex);
-    const auto isAnyWanted = ports.oscPort != 0 || ports.tuioPort != 0;
     const auto areSame = ports.oscPort == wantedPorts.oscPort && ports.tuioPort == wantedPorts.tuioPort
                          && ports.address == wantedPorts.address;
     wantedPorts = ports;
 
-    if (! (areSame && isAnyWanted))
+    if (! areSame)
     {
         receiver.reset();
         fingers.liftAll();

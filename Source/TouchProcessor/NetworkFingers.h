@@ -26,8 +26,8 @@ public:
     NetworkFingers (TouchParameters& parametersToSet, std::function<int()> inputsOf, std::function<void()> stopFoci);
     ~NetworkFingers() override;
 
-    /** Lifts all touches, closes the ports that are open and opens these; where these are open, they and their touches
-        stay, and where they were refused, they are tried again. `finger` is what fingers that are put down are to the
+    /** Lifts all touches, closes the ports that are open and opens these. Where these are open, they and their touches
+        stay; where they were refused, they are tried again. `finger` is what fingers that are put down are to the
         surface, empty: what their parameter says.
         @throws InputError  as TouchReceiver; then none is open, and they are tried again each second
         [any but the audio thread] */

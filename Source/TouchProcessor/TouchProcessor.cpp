@@ -40,7 +40,7 @@ TouchProcessor::TouchProcessor (int ceramics, WrapperType wrapper)
                                                   { return player != nullptr ? player->snapshot()->model : nullptr; });
 
     if (wrapper == wrapperType_VST3)
-        addStop();
+        controls->stepReports().add (addStop());
 
     touches = std::make_unique<NetworkFingers> (
         *controls, [this] { return inputs(); }, [this] { player->stopAll(); });

@@ -157,7 +157,7 @@ TEST_CASE ("A hosted plug-in that is bypassed gives 0 V, and plays on afterwards
 
 TEST_CASE ("All sound off and all notes off fade out what plays, in every format", "[hosted]")
 {
-    const auto plugin = GENERATE (BuiltPlugin { PluginKind::vst3, 8 }, BuiltPlugin { PluginKind::lv2, 8 });
+    const auto plugin = GENERATE (from_range (builtPair()));
     const auto controller = GENERATE (120, 123);
     CAPTURE (pluginName (plugin), controller);
     const auto instance = hostedOffline (plugin);

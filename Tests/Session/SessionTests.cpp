@@ -156,6 +156,7 @@ TEST_CASE ("Notes wait while another path takes over, and play as they would hav
     played.prepare (rate);
     changed.prepare (rate);
     const auto expected = played.play (2400, { spotPlayed });
+    changed.play (64, {}); // A path that has played ramps out.
     changed.session.setGraphOpen (true);
     const std::array events { spotPlayed };
     changed.session.waitUntilSettled (events);
