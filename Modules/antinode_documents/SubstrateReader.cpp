@@ -14,11 +14,21 @@ namespace antinode
 namespace
 {
 constexpr std::size_t maximumLayers = 50;
-constexpr double usualGluePoissonRatio = 0.35, usualGlueDensity = 1150; // Epoxy; neither changes much.
+// Epoxy as it is usually applied.
+constexpr double usualGlueThickness = 50e-6, usualGlueModulus = 2.5e9, usualGluePoissonRatio = 0.36,
+                 usualGlueDensity = 1150;
 constexpr NumberRange glueModulusGigapascal { 1e-6, 1e3 };
 
-constexpr WordList<PlateTheory, 2> theoryWords { { { "thin", PlateTheory::thin },
-                                                   { "mindlin", PlateTheory::mindlin } } };
+constexpr WordList<PlateTheory, 3> theoryWords { { { "mindlin", PlateTheory::mindlin },
+                                                   { "kirchhoff", PlateTheory::thin },
+                                                   { "thin", PlateTheory::thin } } }; // As in older files.
+
+GlueLayer glueOf (double thickness, double modulus)
+{
+    return { thickness,
+             { modulus, modulus, modulus / (2 * (1 + usualGluePoissonRatio)), usualGluePoissonRatio,
+               usualGlueDensity } };
+}
 
 double readThickness (const JsonObject& object)
 {
@@ -61,12 +71,14 @@ void readSubstrate (StructureCommon& common, const JsonObject& body)
         common.material = readElasticMaterial (body.required ("material"));
     }
 
+    common.theory = hasSoftLayers (common) ? PlateTheory::thin : PlateTheory::mindlin;
+
     if (const auto theory = body.optional (theoryKey))
     {
         common.theory = theory->choice (theoryWords);
 
         if (common.theory == PlateTheory::mindlin && hasSoftLayers (common))
-            theory->fail ("is 'mindlin', but a laminate with soft layers shears in these; allowed: 'thin'");
+            theory->fail ("is 'mindlin', but a laminate with soft layers shears in these; allowed: 'kirchhoff'");
     }
 
     if (! hasSoftLayers (common) || body.has ("damping_ratio") || body.has ("quality_factor"))
@@ -78,14 +90,18 @@ std::optional<GlueLayer> readGlue (const JsonObject& ceramic)
     const auto given = ceramic.optional ("glue");
 
     if (! given)
+        return glueOf (usualGlueThickness, usualGlueModulus);
+
+    if (given->isString())
+    {
+        given->choice (WordList<bool, 1> { { { "rigid", true } } });
         return {};
+    }
 
     const auto object = given->object ({ "thickness_mm", "youngs_modulus_GPa" });
     constexpr double pascals = 1e9;
     const auto modulus = pascals * object.required ("youngs_modulus_GPa").number (glueModulusGigapascal);
-    return GlueLayer { readThickness (object),
-                       { modulus, modulus, modulus / (2 * (1 + usualGluePoissonRatio)), usualGluePoissonRatio,
-                         usualGlueDensity } };
+    return glueOf (readThickness (object), modulus);
 }
 
 CarrierDisc readCarrier (const JsonValue& carrier, double ceramicDiameter)

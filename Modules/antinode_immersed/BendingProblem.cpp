@@ -10,7 +10,17 @@ BendingSection turnedSection (const BendingSection& section, double angle)
     const auto c = std::cos (angle), s = std::sin (angle);
     Eigen::Matrix3d curvatures;
     curvatures << c * c, s * s, c * s, s * s, c * c, -c * s, -2 * c * s, 2 * c * s, c * c - s * s;
-    return { curvatures.transpose() * section.stiffness * curvatures, section.massPerArea };
+    return { curvatures.transpose() * section.stiffness * curvatures, section.massPerArea, section.rotaryInertia };
+}
+
+Eigen::Matrix3d BendingPatch::stiffnessAt (const Eigen::Vector2d& place) const
+{
+    return bonded ? Eigen::Matrix3d (added.stiffness + bonded->stiffnessAt (place)) : added.stiffness;
+}
+
+Eigen::Vector3d BendingPatch::momentAt (const Eigen::Vector2d& place) const
+{
+    return bonded ? Eigen::Vector3d (moment + bonded->momentAt (place)) : moment;
 }
 
 double eigenvalueUnit (const BendingProblem& problem)

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "BondedPart.h"
+
 #include <antinode_outline/Outline.h>
 
+#include <optional>
 #include <vector>
 
 namespace antinode
@@ -11,6 +14,7 @@ struct BendingSection
 {
     Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero(); ///< Symmetric, N m.
     double massPerArea = 0;                              ///< kg/m^2
+    double rotaryInertia = 0;                            ///< Per area, kg: its energy is half of it times the slope's square.
 };
 
 /** The same section with its material turned counter-clockwise by an angle. [any] Jones, Mechanics of Composite
@@ -54,6 +58,13 @@ struct BendingPatch
     double foundation = 0;                            ///< Winkler's, N/m^3.
     Eigen::Vector3d moment = Eigen::Vector3d::Zero(); ///< Per volt, N/V: its load is moment . (w,11 w,22 2 w,12).
     std::vector<KinkFunction> kinks;                  ///< Where its edges bend the plate; none: none are resolved.
+    std::optional<BondedPart> bonded {};              ///< What adds to stiffness and moment, less towards its edges.
+
+    // At a place on it, with what is bonded. [any]
+
+    Eigen::Matrix3d stiffnessAt (const Eigen::Vector2d& place) const;
+    Eigen::Vector3d momentAt (const Eigen::Vector2d& place) const;
+    bool hasMoment() const { return moment.any() || (bonded && bonded->curvaturePerVolt.any()); }
 };
 
 /** A spring to ground and a mass at one place. */

@@ -187,7 +187,7 @@ Eigen::Matrix3d stiffnessBeside (const BendingProblem& problem, const Eigen::Vec
 
     for (const auto& patch : problem.patches)
         if (patch.outline.contains (inside.x(), inside.y()))
-            stiffness += patch.added.stiffness;
+            stiffness += patch.stiffnessAt (inside);
 
     return stiffness;
 }

@@ -19,20 +19,28 @@ namespace
 /** What a place weighs and how stiff it is: the plate's own and what lies on it. */
 struct LocalSection
 {
-    Eigen::Matrix3d stiffness;
-    double massPerArea = 0, foundation = 0;
+    Eigen::Matrix3d stiffness; ///< Without what is bonded.
+    double massPerArea = 0, rotaryInertia = 0, foundation = 0;
+    std::vector<const BondedPart*> bonded;
 };
 
 LocalSection sectionOn (const BendingProblem& problem, const std::vector<bool>& isOn)
 {
-    LocalSection section { problem.section.stiffness, problem.section.massPerArea, problem.foundation };
+    LocalSection section {
+        problem.section.stiffness, problem.section.massPerArea, problem.section.rotaryInertia, problem.foundation, {}
+    };
 
     for (std::size_t p = 0; p < problem.patches.size(); ++p)
         if (isOn[p])
         {
-            section.stiffness += problem.patches[p].added.stiffness;
-            section.massPerArea += problem.patches[p].added.massPerArea;
-            section.foundation += problem.patches[p].foundation;
+            const auto& patch = problem.patches[p];
+            section.stiffness += patch.added.stiffness;
+            section.massPerArea += patch.added.massPerArea;
+            section.rotaryInertia += patch.added.rotaryInertia;
+            section.foundation += patch.foundation;
+
+            if (patch.bonded)
+                section.bonded.push_back (&*patch.bonded);
         }
 
     return section;
@@ -120,6 +128,35 @@ private:
         return points;
     }
 
+    /** R with R R' = D at each place, by w,12 in place of 2 w,12. */
+    static std::vector<Eigen::Matrix3d> rootsAt (const CellPoints& points, const std::vector<LocalSection>& sections)
+    {
+        std::vector<Eigen::Matrix3d> ofSections, roots;
+
+        for (const auto& section : sections)
+            ofSections.push_back (lowerRoot (twistDoubled (section.stiffness)));
+
+        for (std::size_t i = 0; i < points.places.size(); ++i)
+        {
+            const auto& section = sections[points.section[i]];
+
+            if (section.bonded.empty())
+            {
+                roots.push_back (ofSections[points.section[i]]);
+                continue;
+            }
+
+            auto stiffness = section.stiffness;
+
+            for (const auto* const part : section.bonded)
+                stiffness += part->stiffnessAt (points.places[i]);
+
+            roots.push_back (lowerRoot (twistDoubled (stiffness)));
+        }
+
+        return roots;
+    }
+
     void addPoints (const ImmersedCell& cell, const CellPoints& points)
     {
         const CellFunctions functions (space, cell, points.places, 2);
@@ -133,23 +170,22 @@ private:
         functions.writeDerivative (0, 2, bending[1]);
         functions.writeDerivative (1, 1, bending[2]);
         std::vector<LocalSection> sections;
-        std::vector<Eigen::Matrix3d> roots;
 
         for (const auto& isOn : points.sections)
-        {
             sections.push_back (sectionOn (problem, isOn));
-            roots.push_back (lowerRoot (twistDoubled (sections.back().stiffness)));
-        }
 
+        const auto roots = rootsAt (points, sections);
         const auto weighted = [&] (const auto& value) -> Eigen::VectorXd
         {
             return Eigen::VectorXd::NullaryExpr (number,
                                                  [&] (Eigen::Index q)
                                                  {
                                                      const auto i = static_cast<std::size_t> (q);
-                                                     return std::sqrt (points.weights[i]) * value (points.section[i]);
+                                                     return std::sqrt (points.weights[i]) * value (i);
                                                  });
         };
+        const auto weightedBy = [&] (double LocalSection::*value)
+        { return weighted ([&] (std::size_t i) { return std::sqrt (sections[points.section[i]].*value); }); };
 
         // With D = R R' and the weights in it the stiffness is a product of R' curvatures with itself, half of which is
         // computed.
@@ -161,7 +197,7 @@ private:
         for (int a = 0; a < 3; ++a)
         {
             auto part = bent.middleCols (a * number, number);
-            const auto factorsOf = [&] (int b) { return weighted ([&] (std::size_t s) { return roots[s](b, a); }); };
+            const auto factorsOf = [&] (int b) { return weighted ([&] (std::size_t i) { return roots[i](b, a); }); };
             part = bending[static_cast<std::size_t> (a)].transpose() * factorsOf (a).asDiagonal();
 
             for (int b = a + 1; b < 3; ++b)
@@ -171,16 +207,24 @@ private:
 
         addGram (stiffness, 1, bent);
         auto moved = factorSpace.matrix (members, number);
-        moved = values.transpose()
-                * weighted ([&] (std::size_t s) { return std::sqrt (sections[s].massPerArea); }).asDiagonal();
+        moved = values.transpose() * weightedBy (&LocalSection::massPerArea).asDiagonal();
         addGram (mass, 1, moved);
 
-        if (const auto founded = weighted ([&] (std::size_t s) { return std::sqrt (sections[s].foundation); });
-            founded.any())
+        if (const auto founded = weightedBy (&LocalSection::foundation); founded.any())
         {
             moved = values.transpose() * founded.asDiagonal();
             addGram (stiffness, 1, moved);
         }
+
+        // The last that needs room: slopes take that of the values.
+        if (const auto turned = weightedBy (&LocalSection::rotaryInertia); turned.any())
+            for (const auto along : { 1, 0 })
+            {
+                auto slopes = valueSpace.matrix (number, members);
+                functions.writeDerivative (along, 1 - along, slopes);
+                moved = slopes.transpose() * turned.asDiagonal();
+                addGram (mass, 1, moved);
+            }
 
         addToMatrix (operators.stiffness, functions.unknowns(), stiffness);
         addToMatrix (operators.mass, functions.unknowns(), mass);
@@ -192,24 +236,22 @@ private:
     {
         for (std::size_t p = 0; p < problem.patches.size(); ++p)
         {
-            const auto& moment = problem.patches[p].moment;
+            const auto& patch = problem.patches[p];
 
-            if (! moment.any()
+            if (! patch.hasMoment()
                 || std::none_of (points.sections.begin(), points.sections.end(),
                                  [p] (const std::vector<bool>& isOn) { return isOn[p]; }))
                 continue;
 
             const auto number = static_cast<Eigen::Index> (points.places.size());
-            const Eigen::RowVectorXd onPatch = Eigen::RowVectorXd::NullaryExpr (
-                number,
-                [&] (Eigen::Index q)
-                {
-                    const auto i = static_cast<std::size_t> (q);
-                    return points.sections[points.section[i]][p] ? points.weights[i] : 0.0;
-                });
+            Eigen::Matrix3Xd moments = Eigen::Matrix3Xd::Zero (3, number);
 
-            const Eigen::RowVectorXd load = moment[0] * (onPatch * bending[0]) + moment[1] * (onPatch * bending[1])
-                                            + 2 * moment[2] * (onPatch * bending[2]);
+            for (Eigen::Index q = 0; q < number; ++q)
+                if (const auto i = static_cast<std::size_t> (q); points.sections[points.section[i]][p])
+                    moments.col (q) = points.weights[i] * patch.momentAt (points.places[i]);
+
+            const Eigen::RowVectorXd load =
+                moments.row (0) * bending[0] + moments.row (1) * bending[1] + 2 * moments.row (2) * bending[2];
 
             for (std::size_t i = 0; i < functions.unknowns().size(); ++i)
                 operators.loads (functions.unknowns()[i], static_cast<Eigen::Index> (p)) +=

@@ -22,7 +22,7 @@ Eigen::MatrixXd momentLoads (const BendingProblem& problem, const Eigen::MatrixX
     std::vector<Eigen::Index> columns;
 
     for (std::size_t p = 0; p < problem.patches.size(); ++p)
-        if (problem.patches[p].moment.any())
+        if (problem.patches[p].hasMoment())
             columns.push_back (static_cast<Eigen::Index> (p));
 
     return loads (Eigen::all, columns);

@@ -1,5 +1,9 @@
 #include "BeamSection.h"
 
+#include "CeramicBond.h"
+
+#include <cmath>
+
 namespace antinode
 {
 namespace
@@ -33,7 +37,8 @@ double midPlaneDistance (const StructureCommon& common, const CeramicDescription
     return (common.thickness + ceramic.thickness) / 2 + glueThickness (ceramic);
 }
 
-LayerSums sumsOf (const StructureCommon& common, double width, const CeramicDescription& ceramic)
+LayerSums sumsOf (const StructureCommon& common, double width, const CeramicDescription& ceramic,
+                  bool withCeramics = true)
 {
     LayerSums sums;
     sums.add (common.material.youngsModulus1, common.material.density, width, common.thickness, 0);
@@ -43,8 +48,9 @@ LayerSums sumsOf (const StructureCommon& common, double width, const CeramicDesc
         if (side < 0 && ceramic.mounting == CeramicMounting::oneSide)
             break;
 
-        sums.add (ceramic.material.youngsModulus, ceramic.material.density, ceramic.sizeY, ceramic.thickness,
-                  side * midPlaneDistance (common, ceramic));
+        if (withCeramics)
+            sums.add (ceramic.material.youngsModulus, ceramic.material.density, ceramic.sizeY, ceramic.thickness,
+                      side * midPlaneDistance (common, ceramic));
 
         if (ceramic.glue)
             sums.add (ceramic.glue->material.youngsModulus1, ceramic.glue->material.density, ceramic.sizeY,
@@ -70,6 +76,33 @@ BeamSection bareSection (const StructureCommon& common, double width)
 BeamSection ceramicSection (const StructureCommon& common, double width, const CeramicDescription& ceramic)
 {
     return aboutNeutralAxis (sumsOf (common, width, ceramic));
+}
+
+BeamSection looseSection (const StructureCommon& common, double width, const CeramicDescription& ceramic)
+{
+    const auto whole = sumsOf (common, width, ceramic);
+    auto section = aboutNeutralAxis (sumsOf (common, width, ceramic, false));
+    const auto count = ceramic.mounting == CeramicMounting::oneSide ? 1 : 2;
+    section.massPerLength = whole.mass;
+    section.bendingStiffness +=
+        count * ceramic.material.youngsModulus * ceramic.sizeY * std::pow (ceramic.thickness, 3) / 12;
+    return section;
+}
+
+double bondLength (const StructureCommon& common, double width, const CeramicDescription& ceramic)
+{
+    if (! ceramic.glue)
+        return 0;
+
+    const auto compliance = bondCompliance (ceramic, PlateTheory::mindlin) / ceramic.sizeY;
+    const auto yields = 1 / (ceramic.material.youngsModulus * ceramic.sizeY * ceramic.thickness)
+                        + (ceramic.mounting == CeramicMounting::oneSide
+                               ? 1 / (common.material.youngsModulus1 * width * common.thickness)
+                               : 0.0);
+    const auto stiffening = ceramicSection (common, width, ceramic).bendingStiffness
+                            / looseSection (common, width, ceramic).bendingStiffness;
+    const auto length = std::sqrt (compliance / yields / stiffening);
+    return length * std::tanh (ceramic.sizeX / (2 * length));
 }
 
 double momentPerVolt (const StructureCommon& common, double width, const CeramicDescription& ceramic)

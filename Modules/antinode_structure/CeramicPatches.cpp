@@ -1,5 +1,7 @@
 #include "CeramicPatches.h"
 
+#include "CeramicBond.h"
+
 #include <antinode_immersed/PatchShapes.h>
 
 namespace antinode
@@ -38,23 +40,37 @@ BendingSection bendingSection (const PlateSection& section)
 
 std::vector<BendingPatch> ceramicPatches (const StructureCommon& common, const CeramicDescription& ceramic)
 {
-    const auto with = ceramicStack (common, ceramic, ceramic.angle);
+    const auto with = sectionWith (common, ceramic, ceramic.angle);
     auto patch = patchOf (ceramic);
 
     if (! ceramic.carrier)
     {
-        patch.added = difference (with, bareStack (common));
-        patch.moment = with.momentPerVolt.real();
+        const auto bond = ceramicBond (common, ceramic, ceramic.angle);
+        const auto& everywhere = bond ? bond->loose : with;
+        patch.added = difference (everywhere, bareStack (common));
+        patch.added.rotaryInertia = addedRotaryInertia (common, ceramic);
+        patch.moment = everywhere.momentPerVolt.real();
+
+        if (bond)
+            patch.bonded = bond->part;
+
         return { patch };
     }
 
     // With larger cells than on other patches frequencies change by 1e-5, and there may be dozens of benders.
     constexpr double coarser = 1.4;
-    const auto carrier = carrierStack (common, ceramic);
+    const auto carrier = sectionWith (common, ceramic, 0, { false, true });
+    const auto bond = ceramicBond (common, ceramic, 0, false);
     auto inner = discPatch (ceramic.centre(), ceramic.carrier->ceramicDiameter / 2);
     auto driven = discPatch (ceramic.centre(), ceramic.carrier->electrodeDiameter / 2);
-    patch.added = difference (carrier, bareStack (common));
+    patch.added = difference (bond ? bond->loose : carrier, bareStack (common));
+    patch.added.rotaryInertia = addedRotaryInertia (common, ceramic, false);
     inner.added = difference (with, carrier);
+    inner.added.rotaryInertia = addedRotaryInertia (common, ceramic) - patch.added.rotaryInertia;
+
+    if (bond)
+        patch.bonded = bond->part;
+
     patch.kinks.front().width = inner.kinks.front().width = coarser * ceramic.sizeX / 2;
     driven.moment = with.momentPerVolt.real();
     driven.kinks.clear(); // Only what stiffens bends a mode.

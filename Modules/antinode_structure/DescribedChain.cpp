@@ -22,9 +22,17 @@ public:
     void addCeramic (int index)
     {
         const auto& ceramic = common.ceramics[static_cast<std::size_t> (index)];
-        const auto right = ceramic.x + ceramic.sizeX;
+        const auto right = ceramic.x + ceramic.sizeX, last = end - right > edgeTolerance ? right : end;
+        const auto bond = bondLength (common, width, ceramic);
         addBareTo (ceramic.x);
-        add (end - right > edgeTolerance ? right : end, ceramicSection (common, width, ceramic), index);
+
+        if (bond > edgeTolerance)
+            add (position + bond, looseSection (common, width, ceramic), {});
+
+        add (last - bond, ceramicSection (common, width, ceramic), index);
+
+        if (bond > edgeTolerance)
+            add (last, looseSection (common, width, ceramic), {});
     }
 
     std::vector<ChainElement> finish()

@@ -48,7 +48,7 @@ struct CeramicDescription
     double sizeX = 0, sizeY = 0; ///< m
     double thickness = 0;        ///< m, of one ceramic
     PiezoelectricMaterial material;
-    std::optional<GlueLayer> glue;      ///< Between it and the plate; none: of no thickness.
+    std::optional<GlueLayer> glue;      ///< Between it and the plate; none: soldered, or of one piece.
     std::optional<CarrierDisc> carrier; ///< Of a disc bender, whose diameter the sizes give.
     CeramicMounting mounting = CeramicMounting::bothSides;
     CeramicWiring wiring = CeramicWiring::parallel;
@@ -64,8 +64,8 @@ struct CeramicDescription
 
 enum class PlateTheory
 {
-    thin,
-    mindlin ///< Frequencies are corrected for shear and rotary inertia.
+    thin,   ///< Kirchhoff's.
+    mindlin ///< With shear and rotary inertia, of the plate by its waves, of ceramics in their sections.
 };
 
 /** The common properties of all described (not measured) devices. */

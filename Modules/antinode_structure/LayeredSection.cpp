@@ -128,7 +128,10 @@ Slip slipAlong (const Stack& stack, Eigen::Index direction, double waveNumber)
     }
 
     const auto stiffnessOf = [&] (const Core& core)
-    { return core.shearModulus / (core.thickness * waveNumber * waveNumber); };
+    {
+        return core.shearModulus == 0.0 ? core.shearModulus
+                                        : core.shearModulus / (core.thickness * waveNumber * waveNumber);
+    };
 
     for (Eigen::Index j = 0; j + 1 < count; ++j)
     {

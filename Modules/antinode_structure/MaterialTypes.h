@@ -71,7 +71,7 @@ struct LayerDescription
     std::variant<ElasticMaterial, ViscoelasticMaterial> material;
 };
 
-/** Glue between a ceramic and the plate. It takes room and stiffens; its shear is not regarded. */
+/** Glue between a ceramic and the plate. It takes room, stiffens, and shears. Docs/Theory.md, section 1.16. */
 struct GlueLayer
 {
     double thickness = 0; ///< m

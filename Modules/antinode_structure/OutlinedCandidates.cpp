@@ -121,10 +121,11 @@ std::vector<CeramicDescription> positionsOn (const OutlinedPlate& plate, const C
                                                  "its outline, at positions that the step gives");
 }
 
-/** The participation of a patch, per mode, in units of the problem but for its moment. */
+/** The participation of a patch, per mode, in units of the problem but for its moment.
+    @param patch  its outline in units of the problem, the rest in SI */
 Eigen::VectorXd participationOf (const BendingPatch& patch, const OutlinedSolution& solution)
 {
-    constexpr int degree = 7;
+    const auto degree = patch.bonded ? 15 : 7; // Near its edges what is bonded varies fast.
     const auto& [space, eigenvalues, coefficients, ofPatches, rigid] = solution.modes;
     const auto extent = extentOf (patch.outline);
     const PlaneCutter cutter (patch.outline, {});
@@ -132,16 +133,21 @@ Eigen::VectorXd participationOf (const BendingPatch& patch, const OutlinedSoluti
         cutter.points ({ extent.least.x(), extent.largest.x(), extent.least.y(), extent.largest.y() }, degree, {});
     const auto number = static_cast<Eigen::Index> (points.places.size());
     Eigen::MatrixX2d places (number, 2);
+    Eigen::MatrixX3d moments (number, 3);
 
     for (Eigen::Index i = 0; i < number; ++i)
-        places.row (i) = points.places[static_cast<std::size_t> (i)].transpose();
+    {
+        const auto& place = points.places[static_cast<std::size_t> (i)];
+        places.row (i) = place.transpose();
+        moments.row (i) = points.weights[static_cast<std::size_t> (i)]
+                          * patch.momentAt (place * solution.scaled.length).transpose();
+    }
 
-    const Eigen::Map<const Eigen::VectorXd> weights (points.weights.data(), number);
-    Eigen::VectorXd result = patch.moment[0] * space.evaluate (places, coefficients, 2, 0).transpose() * weights
-                             + patch.moment[1] * space.evaluate (places, coefficients, 0, 2).transpose() * weights;
+    Eigen::VectorXd result = space.evaluate (places, coefficients, 2, 0).transpose() * moments.col (0)
+                             + space.evaluate (places, coefficients, 0, 2).transpose() * moments.col (1);
 
-    if (patch.moment[2] != 0)
-        result += 2 * patch.moment[2] * space.evaluate (places, coefficients, 1, 1).transpose() * weights;
+    if (! moments.col (2).isZero (0))
+        result += 2 * space.evaluate (places, coefficients, 1, 1).transpose() * moments.col (2);
 
     return result;
 }

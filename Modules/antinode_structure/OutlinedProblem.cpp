@@ -84,7 +84,11 @@ void scale (BendingProblem& problem, double length, double stiffness, double mas
         patch.outline = scaled (patch.outline, 1 / length);
         patch.added.stiffness /= stiffness;
         patch.added.massPerArea /= massPerArea;
+        patch.added.rotaryInertia /= massPerArea * length * length;
         patch.foundation *= perFoundation;
+
+        if (patch.bonded)
+            patch.bonded = scaledPart (*patch.bonded, length, stiffness);
 
         for (auto& kink : patch.kinks)
             divide (kink, length);

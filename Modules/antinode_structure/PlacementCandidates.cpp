@@ -79,7 +79,6 @@ struct CandidateFinder
         const auto solution = solvePlateModes (solved, grid.modes);
         candidates.angularFrequencies = solution.angularFrequencies;
         candidates.dampingRatios = dampingOfModes (plate.common.dampingRatios, grid.modes);
-        const auto section = ceramicSection (solved.common, like);
         const auto unit = solution.layout.unit;
         candidates.participation.resize (grid.modes, static_cast<Eigen::Index> (candidates.ceramics.size()));
 
@@ -89,8 +88,7 @@ struct CandidateFinder
             const auto& c = candidates.ceramics[i];
             candidates.participation.col (static_cast<Eigen::Index> (i)) =
                 solution.coefficients.transpose()
-                * rectangleLoad (solution.problem, section, c.x / unit, (c.x + c.sizeX) / unit, c.y / unit,
-                                 (c.y + c.sizeY) / unit);
+                * ceramicLoad (solution.problem, solved.common, c, unit);
         }
 
         correctCandidates (candidates, solved.common, like);
@@ -129,6 +127,7 @@ private:
         candidates.angularFrequencies = model.angularFrequencies;
         candidates.dampingRatios = model.dampingRatios;
         const auto moment = momentPerVolt (body.common, body.width, like);
+        const auto bond = bondLength (body.common, body.width, like);
         const auto lefts = positionsBetween (-length / 2, length / 2 - like.sizeX, left, right, grid);
         candidates.participation.resize (grid.modes, static_cast<Eigen::Index> (lefts.size()));
 
@@ -142,7 +141,7 @@ private:
             const auto slopeAt = [&] (double x)
             { return slopesOnLine (model.surface.points.col (0), model.shapes, model.slopes, x); };
             candidates.participation.col (static_cast<Eigen::Index> (i)) =
-                moment * (slopeAt (ceramic.x + ceramic.sizeX) - slopeAt (ceramic.x)).transpose();
+                moment * (slopeAt (ceramic.x + ceramic.sizeX - bond) - slopeAt (ceramic.x + bond)).transpose();
         }
 
         return candidates;

@@ -15,7 +15,7 @@ namespace
 struct AxisSamples
 {
     Eigen::MatrixXd values, slopes, curvatures; ///< Places x splines.
-    Eigen::VectorXd weights;
+    Eigen::VectorXd weights, places;
 };
 
 AxisSamples sampleAxis (const SplineAxis& axis, Eigen::Index beginCell, Eigen::Index endCell)
@@ -32,7 +32,14 @@ AxisSamples sampleAxis (const SplineAxis& axis, Eigen::Index beginCell, Eigen::I
         weights.segment ((cell - beginCell) * perCell, perCell) = length * rule.weights;
     }
 
-    return { axis.at (places, 0), axis.at (places, 1), axis.at (places, 2), weights };
+    return { axis.at (places, 0), axis.at (places, 1), axis.at (places, 2), weights, places };
+}
+
+/** The same samples, each weighed by a share. */
+AxisSamples weighed (AxisSamples samples, const Eigen::VectorXd& shares)
+{
+    samples.weights.array() *= shares.array();
+    return samples;
 }
 
 /** Splines of x times coefficients times splines of y for every field, each place by its weight's root: places x
@@ -56,6 +63,39 @@ Eigen::MatrixXd sampled (const PlateProblem& problem, const Eigen::MatrixXd& fie
 }
 } // namespace
 
+namespace
+{
+/** The energies of what is bonded. @param sample  fields at the places of two axes, as sampled() */
+template <typename Sample>
+void addBonded (Eigen::MatrixXd& energies, const BondedPart& part, const AxisSamples& x, const AxisSamples& y,
+                const Sample& sample)
+{
+    const auto parts = BondedStiffness::of (part.stiffness);
+    const auto shared = [&] (const AxisSamples& samples, Eigen::Index axis, const Eigen::Vector2d& lengths)
+    {
+        return weighed (samples, samples.places.unaryExpr (
+                                     [&] (double place)
+                                     { return bondedShare (place - part.centre[axis], part.half[axis], lengths[axis]); }));
+    };
+    const auto stretchedX = shared (x, 0, part.lengths), stretchedY = shared (y, 1, part.lengths);
+    const auto shearedX = shared (x, 0, part.shearLengths), shearedY = shared (y, 1, part.shearLengths);
+    const auto add = [&] (double factor, const Eigen::MatrixXd& one, const Eigen::MatrixXd& other)
+    { addTransposedLeft (energies, factor, one, other); };
+    const auto alongX = sample (stretchedX, y, &AxisSamples::curvatures, &AxisSamples::values);
+    const auto alongY = sample (x, stretchedY, &AxisSamples::values, &AxisSamples::curvatures);
+    const auto bothX = sample (stretchedX, stretchedY, &AxisSamples::curvatures, &AxisSamples::values);
+    const auto bothY = sample (stretchedX, stretchedY, &AxisSamples::values, &AxisSamples::curvatures);
+    const auto twist = sample (shearedX, shearedY, &AxisSamples::slopes, &AxisSamples::slopes);
+    add (parts.first, alongX, alongX);
+    add (parts.second, alongY, alongY);
+    add (parts.bothFirst, bothX, bothX);
+    add (parts.bothSecond, bothY, bothY);
+    add (parts.coupling, bothX, bothY);
+    add (parts.coupling, bothY, bothX);
+    add (4 * parts.shear, twist, twist);
+}
+} // namespace
+
 Eigen::MatrixXd strainEnergies (const PlateDescription& plate, const PlateLayout& layout, const PlateProblem& problem,
                                 const Eigen::MatrixXd& fields)
 {
@@ -74,6 +114,11 @@ Eigen::MatrixXd strainEnergies (const PlateDescription& plate, const PlateLayout
         addTransposedLeft (energies, region.section.d12, alongX, alongY);
         addTransposedLeft (energies, region.section.d12, alongY, alongX);
         addTransposedLeft (energies, 4 * region.section.d66, twist, twist);
+
+        if (region.bonded)
+            addBonded (energies, *region.bonded, x, y, [&] (const AxisSamples& ofX, const AxisSamples& ofY, auto onX,
+                                                            auto onY)
+                       { return sampled (problem, fields, ofX, ofY, onX, onY); });
     }
 
     return energies;

@@ -100,6 +100,17 @@ PlateLayout makeLayout (const PlateDescription& plate)
     return layout;
 }
 
+CeramicDescription onLines (const PlateDescription& plate, const PlateLayout& layout, std::size_t index)
+{
+    auto ceramic = plate.common.ceramics[index];
+    const auto& [left, right, bottom, top] = layout.patches[index];
+    ceramic.x = layout.unit * layout.linesX[left];
+    ceramic.y = layout.unit * layout.linesY[bottom];
+    ceramic.sizeX = layout.unit * (layout.linesX[right] - layout.linesX[left]);
+    ceramic.sizeY = layout.unit * (layout.linesY[top] - layout.linesY[bottom]);
+    return ceramic;
+}
+
 SplineBreaks divide (const Eigen::VectorXd& lines, const PlateResolution& resolution, EdgeCondition start,
                      EdgeCondition end)
 {

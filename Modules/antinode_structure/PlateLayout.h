@@ -28,6 +28,9 @@ struct PlateLayout
     [worker] */
 PlateLayout makeLayout (const PlateDescription&);
 
+/** A ceramic as it lies between its lines. [any] */
+CeramicDescription onLines (const PlateDescription&, const PlateLayout&, std::size_t ceramic);
+
 /** The resolution of an axis. Docs/Theory.md, section 1.6. */
 struct PlateResolution
 {

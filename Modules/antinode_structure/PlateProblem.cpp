@@ -37,6 +37,22 @@ PlateSection difference (const PlateSection& a, const PlateSection& b)
     return { a.massPerArea - b.massPerArea, a.d11 - b.d11, a.d22 - b.d22, a.d12 - b.d12, a.d66 - b.d66, 0, 0 };
 }
 
+/** What a ceramic adds, where its bond hands nothing over, and what it hands over. */
+PlateRegion addedBy (const StructureCommon& common, const CeramicDescription& ceramic, const PlateSection& bare,
+                     double unit)
+{
+    PlateRegion region;
+    const auto bond = ceramicBond (common, ceramic, 0);
+    const auto everywhere = bond ? alongAxes (bond->loose) : ceramicSection (common, ceramic);
+    region.section = relative (difference (everywhere, bare), bare);
+    region.section.rotaryInertia = addedRotaryInertia (common, ceramic) / (bare.massPerArea * unit * unit);
+
+    if (bond)
+        region.bonded = scaledPart (bond->part, unit, bare.d11);
+
+    return region;
+}
+
 std::pair<SplineAxis, SplineAxis> makeAxes (const PlateDescription& plate, const PlateLayout& layout,
                                             const PlateResolution& resolution)
 {
@@ -50,10 +66,11 @@ struct RegionProducts
 };
 
 /** The products of a region's splines on the axes of two problems. */
-RegionProducts computeProducts (const PlateRegion& region, const PlateProblem& rows, const PlateProblem& columns)
+RegionProducts computeProducts (const PlateRegion& region, const PlateProblem& rows, const PlateProblem& columns,
+                                const AxisWeight& weightX = {}, const AxisWeight& weightY = {})
 {
-    const auto x = splineProducts (rows.x(), columns.x(), region.beginX, region.endX);
-    const auto y = splineProducts (rows.y(), columns.y(), region.beginY, region.endY);
+    const auto x = splineProducts (rows.x(), columns.x(), region.beginX, region.endX, weightX);
+    const auto y = splineProducts (rows.y(), columns.y(), region.beginY, region.endY, weightY);
     return rows.outerIsX ? RegionProducts { x, y } : RegionProducts { y, x };
 }
 
@@ -84,21 +101,64 @@ void addStiffness (PlateProblem& problem, const PlateRegion& region, const Regio
     add (section.d12 * outer.curvatureValue, inner.curvatureValue.transpose());
     add (section.d12 * outer.curvatureValue.transpose(), inner.curvatureValue);
 }
+
+/** The same of what is bonded, each part by what it needs to build up. */
+void addBonded (PlateProblem& problem, const PlateRegion& region, const RegionProducts& whole)
+{
+    const auto& part = *region.bonded;
+    const auto parts = BondedStiffness::of (part.stiffness);
+    const auto products = [&] (const Eigen::Vector2d& lengths)
+    {
+        const auto share = [&] (Eigen::Index axis) -> AxisWeight
+        {
+            return [middle = part.centre[axis], half = part.half[axis], length = lengths[axis]] (double place)
+            { return bondedShare (place - middle, half, length); };
+        };
+        return computeProducts (region, problem, problem, share (0), share (1));
+    };
+    const auto stretched = products (part.lengths), sheared = products (part.shearLengths);
+    const auto& [outer, inner] = stretched;
+    const auto add = [&] (const Eigen::MatrixXd& o, const Eigen::MatrixXd& i)
+    { addTerm (problem.stiffness, whole, o, i); };
+    const auto along = problem.outerIsX ? parts.first : parts.second;
+    const auto across = problem.outerIsX ? parts.second : parts.first;
+    const auto bothAlong = problem.outerIsX ? parts.bothFirst : parts.bothSecond;
+    const auto bothAcross = problem.outerIsX ? parts.bothSecond : parts.bothFirst;
+    add (outer.curvatures, along * whole.inner.values + bothAlong * inner.values);
+    add (across * whole.outer.values + bothAcross * outer.values, inner.curvatures);
+    add (4 * parts.shear * sheared.outer.slopes, sheared.inner.slopes);
+    add (parts.coupling * outer.curvatureValue, inner.curvatureValue.transpose());
+    add (parts.coupling * outer.curvatureValue.transpose(), inner.curvatureValue);
+}
+
+void addMass (TensorOperator& mass, const PlateRegion& region, const RegionProducts& products)
+{
+    const auto& [outer, inner] = products;
+    addTerm (mass, products, region.section.massPerArea * outer.values, inner.values);
+
+    if (const auto inertia = region.section.rotaryInertia; inertia != 0)
+    {
+        addTerm (mass, products, inertia * outer.slopes, inner.values);
+        addTerm (mass, products, inertia * outer.values, inner.slopes);
+    }
+}
 } // namespace
 
 std::vector<PlateRegion> makeRegions (const PlateDescription& plate, const PlateLayout& layout, const SplineAxis& x,
                                       const SplineAxis& y)
 {
     const auto bare = bareSection (plate.common);
-    std::vector<PlateRegion> regions { { 0, x.cells(), 0, y.cells(), relative (bare, bare) } };
+    std::vector<PlateRegion> regions { { 0, x.cells(), 0, y.cells(), relative (bare, bare), {} } };
 
     for (std::size_t i = 0; i < layout.patches.size(); ++i)
     {
         const auto& patch = layout.patches[i];
-        const auto added = difference (ceramicSection (plate.common, plate.common.ceramics[i]), bare);
-        regions.push_back ({ firstCell (x, layout.linesX[patch.left]), firstCell (x, layout.linesX[patch.right]),
-                             firstCell (y, layout.linesY[patch.bottom]), firstCell (y, layout.linesY[patch.top]),
-                             relative (added, bare) });
+        auto region = addedBy (plate.common, onLines (plate, layout, i), bare, layout.unit);
+        region.beginX = firstCell (x, layout.linesX[patch.left]);
+        region.endX = firstCell (x, layout.linesX[patch.right]);
+        region.beginY = firstCell (y, layout.linesY[patch.bottom]);
+        region.endY = firstCell (y, layout.linesY[patch.top]);
+        regions.push_back (std::move (region));
     }
 
     return regions;
@@ -128,7 +188,10 @@ PlateProblem plateProblem (const PlateDescription& plate, const PlateLayout& lay
         checkWatch();
         const auto products = computeProducts (region, problem, problem);
         addStiffness (problem, region, products);
-        addTerm (problem.mass, products, region.section.massPerArea * products.outer.values, products.inner.values);
+        addMass (problem.mass, region, products);
+
+        if (region.bonded)
+            addBonded (problem, region, products);
     }
 
     return problem;
@@ -161,7 +224,7 @@ TensorOperator massBetween (const PlateDescription& plate, const PlateLayout& la
     {
         checkWatch();
         const auto products = computeProducts (region, rows, columns);
-        addTerm (mass, products, region.section.massPerArea * products.outer.values, products.inner.values);
+        addMass (mass, region, products);
     }
 
     return mass;

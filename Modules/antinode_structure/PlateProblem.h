@@ -1,5 +1,6 @@
 #pragma once
 
+#include "CeramicBond.h"
 #include "PlateLayout.h"
 #include "TensorOperator.h"
 
@@ -32,7 +33,8 @@ struct PlateProblem
 struct PlateRegion
 {
     Eigen::Index beginX = 0, endX = 0, beginY = 0, endY = 0;
-    PlateSection section; ///< In units of the bare substrate's stiffness and mass.
+    PlateSection section;             ///< In units of the bare substrate's stiffness and mass, and of the longer side.
+    std::optional<BondedPart> bonded; ///< What adds to it, in the same units.
 };
 
 /** The whole plate as if it were bare, and each ceramic as what it adds to that. [worker] */

@@ -5,9 +5,7 @@
 
 namespace antinode
 {
-namespace
-{
-std::vector<SectionLayer> substrate (const StructureCommon& common)
+std::vector<SectionLayer> plateLayers (const StructureCommon& common)
 {
     if (common.layers.empty())
         return { elasticLayer (common.material, common.thickness) };
@@ -24,13 +22,12 @@ std::vector<SectionLayer> substrate (const StructureCommon& common)
     return layers;
 }
 
-/** What is glued to one side, from the plate outwards. @param withCeramic  false: a bender's disc without it */
-std::vector<SectionLayer> mounted (const CeramicDescription& ceramic, double voltage, double angle, bool withCeramic)
+namespace
+{
+std::vector<SectionLayer> gluedLayers (const CeramicDescription& ceramic, double voltage, double angle,
+                                       bool withCeramic)
 {
     std::vector<SectionLayer> layers;
-
-    if (ceramic.glue)
-        layers.push_back (elasticLayer (ceramic.glue->material, ceramic.glue->thickness));
 
     if (ceramic.carrier)
         layers.push_back (elasticLayer (ceramic.carrier->material, ceramic.carrier->thickness));
@@ -41,23 +38,56 @@ std::vector<SectionLayer> mounted (const CeramicDescription& ceramic, double vol
     return layers;
 }
 
-LayeredSection stackWith (const StructureCommon& common, const CeramicDescription& ceramic, double angle,
-                          bool withCeramic)
+/** Glue and what is glued to one side, from the plate outwards. */
+std::vector<SectionLayer> mounted (const CeramicDescription& ceramic, double voltage, double angle,
+                                   const StackParts& parts)
+{
+    std::vector<SectionLayer> layers;
+
+    if (ceramic.glue)
+        layers.push_back (elasticLayer (ceramic.glue->material, ceramic.glue->thickness));
+
+    if (! parts.isBonded)
+    {
+        SectionLayer gap; // Of no thickness, it hands no shear over.
+        gap.softShearModulus = 0;
+        layers.push_back (gap);
+    }
+
+    const auto glued = gluedLayers (ceramic, voltage, angle, parts.withCeramic);
+    layers.insert (layers.end(), glued.begin(), glued.end());
+    return layers;
+}
+} // namespace
+
+std::vector<SectionLayer> gluedLayers (const CeramicDescription& ceramic, bool withCeramic)
+{
+    return gluedLayers (ceramic, 0, 0, withCeramic);
+}
+
+std::vector<SectionLayer> stackLayers (const StructureCommon& common, const CeramicDescription& ceramic, double angle,
+                                       const StackParts& parts)
 {
     const auto isPair = ceramic.mounting == CeramicMounting::bothSides;
     const auto voltage = ceramic.polarity * (isPair && ceramic.wiring == CeramicWiring::series ? 0.5 : 1.0);
-    auto layers = substrate (common);
-    const auto above = mounted (ceramic, voltage, angle, withCeramic);
+    auto layers = plateLayers (common);
+    const auto above = mounted (ceramic, voltage, angle, parts);
     std::copy (above.begin(), above.end(), std::back_inserter (layers));
 
     // The one below strains the other way.
     if (isPair)
     {
-        const auto below = mounted (ceramic, -voltage, angle, withCeramic);
+        const auto below = mounted (ceramic, -voltage, angle, parts);
         layers.insert (layers.begin(), below.rbegin(), below.rend());
     }
 
-    return layeredSection (layers, common.reference.waveNumber);
+    return layers;
+}
+
+LayeredSection sectionWith (const StructureCommon& common, const CeramicDescription& ceramic, double angle,
+                            const StackParts& parts)
+{
+    return layeredSection (stackLayers (common, ceramic, angle, parts), common.reference.waveNumber);
 }
 
 PlateSection alongAxes (const LayeredSection& section)
@@ -67,21 +97,10 @@ PlateSection alongAxes (const LayeredSection& section)
     return { section.massPerArea, stiffness (0, 0), stiffness (1, 1), stiffness (0, 1),
              stiffness (2, 2),    moment[0],        moment[1] };
 }
-} // namespace
 
 LayeredSection bareStack (const StructureCommon& common)
 {
-    return layeredSection (substrate (common), common.reference.waveNumber);
-}
-
-LayeredSection ceramicStack (const StructureCommon& common, const CeramicDescription& ceramic, double angle)
-{
-    return stackWith (common, ceramic, angle, true);
-}
-
-LayeredSection carrierStack (const StructureCommon& common, const CeramicDescription& ceramic)
-{
-    return stackWith (common, ceramic, 0, false);
+    return layeredSection (plateLayers (common), common.reference.waveNumber);
 }
 
 PlateSection bareSection (const StructureCommon& common)
@@ -91,6 +110,6 @@ PlateSection bareSection (const StructureCommon& common)
 
 PlateSection ceramicSection (const StructureCommon& common, const CeramicDescription& ceramic)
 {
-    return alongAxes (ceramicStack (common, ceramic, 0));
+    return alongAxes (sectionWith (common, ceramic, 0));
 }
 } // namespace antinode

@@ -14,6 +14,7 @@ struct PlateSection
     double d12 = 0;                  ///< Coupling of the two curvatures, N m
     double d66 = 0;                  ///< Twisting stiffness, N m: M12 = 2 D66 w,12 and its energy is 2 D66 w,12^2.
     double momentX = 0, momentY = 0; ///< kappa_b, N / V: moment per length and volt about either axis, with its sign.
+    double rotaryInertia = 0;        ///< Per area, kg: that frequencies are not corrected for afterwards.
 };
 
 // The sections of a plate with layers, glue and carriers, soft layers at the reference of the description. [any]
@@ -21,11 +22,26 @@ struct PlateSection
 
 LayeredSection bareStack (const StructureCommon&);
 
-/** @param angle  of the ceramic, rad counter-clockwise */
-LayeredSection ceramicStack (const StructureCommon&, const CeramicDescription&, double angle);
+/** What of a ceramic is on the plate. */
+struct StackParts
+{
+    bool withCeramic = true; ///< False: of a disc bender its disc, beside the ceramic.
+    bool isBonded = true;    ///< False: no shear passes between glue and ceramic.
+};
 
-/** Of a disc bender: its disc beside the ceramic. */
-LayeredSection carrierStack (const StructureCommon&, const CeramicDescription&);
+/** From the bottom up. */
+std::vector<SectionLayer> plateLayers (const StructureCommon&);
+
+/** What is glued on, along its own axes and without voltage, from the plate outwards. */
+std::vector<SectionLayer> gluedLayers (const CeramicDescription&, bool withCeramic);
+
+/** Plate, glue and what is glued on, from the bottom up. @param angle  of the ceramic, rad counter-clockwise */
+std::vector<SectionLayer> stackLayers (const StructureCommon&, const CeramicDescription&, double angle,
+                                       const StackParts& = {});
+
+LayeredSection sectionWith (const StructureCommon&, const CeramicDescription&, double angle, const StackParts& = {});
+
+PlateSection alongAxes (const LayeredSection&);
 
 /** The bare substrate. [any] */
 PlateSection bareSection (const StructureCommon&);

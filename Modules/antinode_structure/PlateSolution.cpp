@@ -170,30 +170,44 @@ Eigenpairs flexiblePairs (const PlateDescription& plate, const PlateLayout& layo
     return pairs;
 }
 
-/** The integrals of the splines from one place to another, inside cells as well. */
-Eigen::VectorXd splineIntegrals (const SplineAxis& axis, double from, double to)
+/** Where a ceramic lies on an axis; it may begin and end inside cells. */
+struct CeramicExtent
 {
-    const auto rule = gaussLegendre (axis.degree() / 2 + 1, 1);
-    Eigen::VectorXd integrals = Eigen::VectorXd::Zero (axis.size());
+    const SplineAxis& axis;
+    double from, to;
 
-    for (auto cell = axis.cellAt (from); cell < axis.cells() && axis.cellStart (cell) < to; ++cell)
+    /** The integrals of a derivative of the splines over it. @param weight  in them; none: 1 */
+    Eigen::VectorXd integrals (int derivative, const AxisWeight& weight) const
     {
-        const auto begin = std::max (from, axis.cellStart (cell));
-        const auto length = std::min (to, axis.cellStart (cell) + axis.cellLength (cell)) - begin;
-        const auto some = axis.onCell (cell, (begin + length * rule.nodes.array()).matrix(), 0);
-        integrals.segment (some.first, some.values.cols()) += length * some.values.transpose() * rule.weights;
+        // A weight that builds up over a part of a cell needs more places than splines alone.
+        const auto rule = gaussLegendre (weight ? axis.degree() + 3 : axis.degree() / 2 + 1, 1);
+        Eigen::VectorXd sum = Eigen::VectorXd::Zero (axis.size());
+
+        for (auto cell = axis.cellAt (from); cell < axis.cells() && axis.cellStart (cell) < to; ++cell)
+        {
+            const auto begin = std::max (from, axis.cellStart (cell));
+            const auto length = std::min (to, axis.cellStart (cell) + axis.cellLength (cell)) - begin;
+            const Eigen::VectorXd places = (begin + length * rule.nodes.array()).matrix();
+            Eigen::VectorXd weights = length * rule.weights;
+
+            if (weight)
+                weights.array() *= places.unaryExpr (weight).array();
+
+            const auto some = axis.onCell (cell, places, derivative);
+            sum.segment (some.first, some.values.cols()) += some.values.transpose() * weights;
+        }
+
+        return sum;
     }
 
-    return integrals;
-}
+    /** How much the slopes of the splines change over it. */
+    Eigen::VectorXd slopeChanges() const
+    {
+        const auto slopes = axis.at (Eigen::Vector2d (from, to), 1);
+        return (slopes.row (1) - slopes.row (0)).transpose();
+    }
+};
 
-/** How much the slopes of the splines change from one place to another. */
-Eigen::VectorXd slopeChanges (const SplineAxis& axis, double from, double to)
-{
-    const Eigen::Vector2d ends (from, to);
-    const auto slopes = axis.at (ends, 1);
-    return (slopes.row (1) - slopes.row (0)).transpose();
-}
 PlateSolution solutionFor (const PlateDescription& plate, const PlateLayout& layout, int count, double waveNumber)
 {
     const auto problem = affordableProblem (plate, layout, waveNumber);
@@ -238,14 +252,37 @@ PlateSolution solvePlateModes (const PlateDescription& plate, std::optional<int>
     }
 }
 
-Eigen::VectorXd rectangleLoad (const PlateProblem& problem, const PlateSection& section, double xFrom, double xTo,
-                               double yFrom, double yTo)
+Eigen::VectorXd ceramicLoad (const PlateProblem& problem, const StructureCommon& common,
+                             const CeramicDescription& ceramic, double unit)
 {
-    const auto integralX = splineIntegrals (problem.x(), xFrom, xTo);
-    const auto integralY = splineIntegrals (problem.y(), yFrom, yTo);
-    const auto slopeX = slopeChanges (problem.x(), xFrom, xTo);
-    const auto slopeY = slopeChanges (problem.y(), yFrom, yTo);
-    return problem.field (section.momentX * slopeX * integralY.transpose()
-                          + section.momentY * integralX * slopeY.transpose());
+    const auto bond = ceramicBond (common, ceramic, 0);
+    const auto section = bond ? alongAxes (bond->loose) : ceramicSection (common, ceramic);
+    const CeramicExtent x { problem.x(), ceramic.x / unit, (ceramic.x + ceramic.sizeX) / unit };
+    const CeramicExtent y { problem.y(), ceramic.y / unit, (ceramic.y + ceramic.sizeY) / unit };
+    Eigen::MatrixXd load =
+        section.momentX * x.slopeChanges() * y.integrals (0, {}).transpose()
+        + section.momentY * x.integrals (0, {}) * y.slopeChanges().transpose();
+
+    if (bond)
+    {
+        const auto part = scaledPart (bond->part, unit, 1);
+        const auto parts = BondedStiffness::of (part.stiffness);
+        const auto shareOf = [&] (Eigen::Index axis) -> AxisWeight
+        {
+            return [middle = part.centre[axis], half = part.half[axis], length = part.lengths[axis]] (double place)
+            { return bondedShare (place - middle, half, length); };
+        };
+        const auto shareX = shareOf (0), shareY = shareOf (1);
+        const auto& free = part.curvaturePerVolt;
+        load += x.integrals (2, shareX)
+                * (parts.first * free[0] * y.integrals (0, {})
+                   + (parts.bothFirst * free[0] + parts.coupling * free[1]) * y.integrals (0, shareY))
+                      .transpose();
+        load += (parts.second * free[1] * x.integrals (0, {})
+                 + (parts.bothSecond * free[1] + parts.coupling * free[0]) * x.integrals (0, shareX))
+                * y.integrals (2, shareY).transpose();
+    }
+
+    return problem.field (load);
 }
 } // namespace antinode

@@ -25,12 +25,10 @@ struct PlateSolution
     [worker] Docs/Theory.md, section 1.6. */
 PlateSolution solvePlateModes (const PlateDescription&, std::optional<int> modeCount);
 
-/** The load of one volt on a ceramic over a rectangle on each spline: kappa_x integral B,xx + kappa_y integral B,yy,
-   exact. Times the coefficients of a shape it is this shape's participation.
-    @param section  whose moments per volt are meant
-    @param xFrom, xTo, yFrom, yTo  the rectangle, in units of the longer side, anywhere on the plate
-    @return         one value an unknown
-    [worker] Docs/Theory.md, section 1.4; paper (23). */
-Eigen::VectorXd rectangleLoad (const PlateProblem&, const PlateSection& section, double xFrom, double xTo, double yFrom,
-                               double yTo);
+/** The load of one volt on a rectangular ceramic on each spline: kappa_x integral B,xx + kappa_y integral B,yy, and what
+    its bond hands over. Times the coefficients of a shape it is this shape's participation.
+    @param unit  the plate's longer side, m
+    @return      one value an unknown
+    [worker] Docs/Theory.md, sections 1.4 and 1.16; paper (23). */
+Eigen::VectorXd ceramicLoad (const PlateProblem&, const StructureCommon&, const CeramicDescription&, double unit);
 } // namespace antinode

@@ -69,11 +69,7 @@ Eigen::MatrixXd computeParticipation (const PlateDescription& plate, const Plate
     for (std::size_t i = 0; i < layout.patches.size(); ++i)
     {
         checkWatch();
-        const auto& patch = layout.patches[i];
-        const auto section = ceramicSection (plate.common, plate.common.ceramics[i]);
-        const auto load =
-            rectangleLoad (solution.problem, section, layout.linesX[patch.left], layout.linesX[patch.right],
-                           layout.linesY[patch.bottom], layout.linesY[patch.top]);
+        const auto load = ceramicLoad (solution.problem, plate.common, onLines (plate, layout, i), layout.unit);
         participation.col (static_cast<Eigen::Index> (i)) = solution.coefficients.transpose() * load;
     }
 

@@ -22,17 +22,14 @@ namespace
 /** What each ceramic does to the splines per volt, unknowns x N_b. */
 Eigen::MatrixXd ceramicLoads (const PlateDescription& plate, const PlateSolution& solution)
 {
-    const auto& [unit, linesX, linesY, patches] = solution.layout;
-    Eigen::MatrixXd loads (solution.problem.unknowns(), static_cast<Eigen::Index> (patches.size()));
+    const auto& layout = solution.layout;
+    Eigen::MatrixXd loads (solution.problem.unknowns(), static_cast<Eigen::Index> (layout.patches.size()));
 
-    for (std::size_t i = 0; i < patches.size(); ++i)
+    for (std::size_t i = 0; i < layout.patches.size(); ++i)
     {
         checkWatch();
-        const auto& patch = patches[i];
-        const auto section = ceramicSection (plate.common, plate.common.ceramics[i]);
         loads.col (static_cast<Eigen::Index> (i)) =
-            rectangleLoad (solution.problem, section, linesX[patch.left], linesX[patch.right], linesY[patch.bottom],
-                           linesY[patch.top]);
+            ceramicLoad (solution.problem, plate.common, onLines (plate, layout, i), layout.unit);
     }
 
     return loads;

@@ -74,7 +74,7 @@ void addTerms (BlockBandedMatrix& matrix, const TensorOperator& tensor, double f
 } // namespace
 
 SplineProducts splineProducts (const SplineAxis& rows, const SplineAxis& columns, Eigen::Index firstCell,
-                               Eigen::Index endCell)
+                               Eigen::Index endCell, const AxisWeight& weight)
 {
     const auto rowRange = SplineRange::of (rows, firstCell, endCell);
     const auto columnRange = SplineRange::of (columns, firstCell, endCell);
@@ -86,7 +86,11 @@ SplineProducts splineProducts (const SplineAxis& rows, const SplineAxis& columns
     {
         const auto length = rows.cellLength (cell);
         const Eigen::VectorXd places = (rows.cellStart (cell) + length * rule.nodes.array()).matrix();
-        const Eigen::VectorXd weights = length * rule.weights;
+        Eigen::VectorXd weights = length * rule.weights;
+
+        if (weight)
+            weights.array() *= places.unaryExpr (weight).array();
+
         const auto add = [&] (Eigen::MatrixXd& to, int rowDerivative, int columnDerivative)
         {
             const auto row = rows.onCell (cell, places, rowDerivative);

@@ -3,6 +3,7 @@
 #include <antinode_numerics/BlockBandedFactor.h>
 #include <antinode_numerics/SplineAxis.h>
 
+#include <functional>
 #include <vector>
 
 namespace antinode
@@ -17,11 +18,15 @@ struct SplineProducts
     Eigen::MatrixXd curvatureValue;             ///< integral B''_i B_j
 };
 
+/** A smooth weight along an axis. */
+using AxisWeight = std::function<double (double)>;
+
 /** @param rows, columns        axes with the same breaks, of any degrees
     @param firstCell, endCell  the part: cells firstCell .. endCell - 1
+    @param weight              in all integrals; none: 1
     [worker] Docs/Theory.md, section 1.6. */
 SplineProducts splineProducts (const SplineAxis& rows, const SplineAxis& columns, Eigen::Index firstCell,
-                               Eigen::Index endCell);
+                               Eigen::Index endCell, const AxisWeight& weight = {});
 
 /** outer x inner: an operator on fields of splines, from the unknowns of its columns to those of its rows. */
 struct TensorTerm

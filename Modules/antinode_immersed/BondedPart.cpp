@@ -1,0 +1,87 @@
+#include "BondedPart.h"
+
+#include "BendingProblem.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+double bondedShare (double offset, double half, double length)
+{
+    if (! (length > 0))
+        return 1;
+
+    // cosh (offset / length) / cosh (half / length), where both may be beyond all numbers.
+    const auto decay = std::exp ((std::abs (offset) - half) / length);
+    return 1 - decay * (1 + std::exp (-2 * std::abs (offset) / length)) / (1 + std::exp (-2 * half / length));
+}
+
+double bondedShareOfDisc (double distance, double radius, double length)
+{
+    if (! (length > 0))
+        return 1;
+
+    constexpr double largest = 300; // I0 beyond is out of range, and the edge is straight.
+    const auto scaled = radius / length;
+    return scaled < largest ? 1 - std::cyl_bessel_i (0.0, distance / length) / std::cyl_bessel_i (0.0, scaled)
+                            : 1 - std::exp ((distance - radius) / length);
+}
+
+BondedStiffness BondedStiffness::of (const Eigen::Matrix3d& stiffness)
+{
+    const auto coupling = stiffness (0, 1);
+    const auto alone = [&] (Eigen::Index axis, Eigen::Index other)
+    { return stiffness (axis, axis) - (coupling != 0 ? coupling * coupling / stiffness (other, other) : 0); };
+    const auto first = alone (0, 1), second = alone (1, 0);
+    return { first, second, stiffness (0, 0) - first, stiffness (1, 1) - second, coupling, stiffness (2, 2) };
+}
+
+BondedPart scaledPart (BondedPart part, double length, double stiffness)
+{
+    part.stiffness /= stiffness;
+    part.curvaturePerVolt *= stiffness;
+
+    for (auto* const lengths : { &part.centre, &part.half, &part.lengths, &part.shearLengths })
+        *lengths /= length;
+
+    return part;
+}
+
+Eigen::Matrix3d BondedPart::stiffnessAt (const Eigen::Vector2d& place) const
+{
+    const Eigen::Vector2d offset = place - centre;
+    double axis = angle, first = 1, second = 1, shear = 1;
+
+    if (isRound)
+    {
+        const auto distance = offset.norm();
+        axis = std::atan2 (offset.y(), offset.x());
+        const auto shareOf = [&] (double length)
+        {
+            return half.y() > 0
+                       ? bondedShare (distance - (half.x() + half.y()) / 2, (half.x() - half.y()) / 2, length)
+                       : bondedShareOfDisc (distance, half.x(), length);
+        };
+        first = shareOf (lengths.x());
+        shear = shareOf (shearLengths.x());
+    }
+    else
+    {
+        const auto cosine = std::cos (angle), sine = std::sin (angle);
+        const auto along = cosine * offset.x() + sine * offset.y(), across = cosine * offset.y() - sine * offset.x();
+        first = bondedShare (along, half.x(), lengths.x());
+        second = bondedShare (across, half.y(), lengths.y());
+        shear = bondedShare (along, half.x(), shearLengths.x()) * bondedShare (across, half.y(), shearLengths.y());
+    }
+
+    const auto whole = turnedSection ({ stiffness }, -axis).stiffness;
+    const auto parts = BondedStiffness::of (whole);
+    const auto both = first * second;
+    Eigen::Matrix3d there = both * whole; // What fibres couple needs both, too.
+    there (0, 0) = parts.first * first + parts.bothFirst * both;
+    there (1, 1) = parts.second * second + parts.bothSecond * both;
+    there (2, 2) = parts.shear * shear;
+    return turnedSection ({ there }, axis).stiffness;
+}
+} // namespace antinode
