@@ -19,9 +19,9 @@ constexpr double usualGlueThickness = 50e-6, usualGlueModulus = 2.5e9, usualGlue
                  usualGlueDensity = 1150;
 constexpr NumberRange glueModulusGigapascal { 1e-6, 1e3 };
 
-constexpr WordList<PlateTheory, 3> theoryWords { { { "mindlin", PlateTheory::mindlin },
-                                                   { "kirchhoff", PlateTheory::thin },
-                                                   { "thin", PlateTheory::thin } } }; // As in older files.
+constexpr WordList<PlateTheory, 3> theoryWords {
+    { { "mindlin", PlateTheory::mindlin }, { "kirchhoff", PlateTheory::thin }, { "thin", PlateTheory::thin } }
+}; // As in older files.
 
 GlueLayer glueOf (double thickness, double modulus)
 {

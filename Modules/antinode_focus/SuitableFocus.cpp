@@ -106,9 +106,13 @@ void chooseWidth (const ModalModel& model, FocusDescription& focus)
     auto best = target;
     double most = -1;
 
+    const auto narrowest = std::min (usualWidth, shorter / 4);
+    const auto steps = static_cast<int> (std::log (shorter / 2 / narrowest) / std::log (widthStep) + 1e-9);
+
     for (const auto shape : { TargetShape::bump, TargetShape::sinc })
-        for (auto width = std::min (usualWidth, shorter / 4); width <= shorter / 2; width *= widthStep)
+        for (int step = 0; step <= steps; ++step)
         {
+            const auto width = narrowest * std::pow (widthStep, step);
             checkWatch();
             target.shape = shape;
             target.width = rounded (width, width > usualWidth ? 1e-3 : 1e-4);

@@ -14,7 +14,7 @@ struct BendingSection
 {
     Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero(); ///< Symmetric, N m.
     double massPerArea = 0;                              ///< kg/m^2
-    double rotaryInertia = 0;                            ///< Per area, kg: its energy is half of it times the slope's square.
+    double rotaryInertia = 0; ///< Per area, kg: its energy is half of it times the slope's square.
 };
 
 /** The same section with its material turned counter-clockwise by an angle. [any] Jones, Mechanics of Composite

@@ -59,9 +59,8 @@ Eigen::Matrix3d BondedPart::stiffnessAt (const Eigen::Vector2d& place) const
         axis = std::atan2 (offset.y(), offset.x());
         const auto shareOf = [&] (double length)
         {
-            return half.y() > 0
-                       ? bondedShare (distance - (half.x() + half.y()) / 2, (half.x() - half.y()) / 2, length)
-                       : bondedShareOfDisc (distance, half.x(), length);
+            return half.y() > 0 ? bondedShare (distance - (half.x() + half.y()) / 2, (half.x() - half.y()) / 2, length)
+                                : bondedShareOfDisc (distance, half.x(), length);
         };
         first = shareOf (lengths.x());
         shear = shareOf (shearLengths.x());

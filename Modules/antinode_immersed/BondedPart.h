@@ -22,8 +22,8 @@ struct BondedPart
     Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();        ///< Of a patch without edges, N m.
     Eigen::Vector3d curvaturePerVolt = Eigen::Vector3d::Zero(); ///< (w,11 w,22 2 w,12) without load, 1/(m V).
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();           ///< m
-    Eigen::Vector2d half = Eigen::Vector2d::Zero();             ///< Of a rectangle's sides, m. Round: radius and inner one.
-    double angle = 0;                                           ///< Of a rectangle, rad counter-clockwise.
+    Eigen::Vector2d half = Eigen::Vector2d::Zero(); ///< Of a rectangle's sides, m. Round: radius and inner one.
+    double angle = 0;                               ///< Of a rectangle, rad counter-clockwise.
     bool isRound = false;
     Eigen::Vector2d lengths = Eigen::Vector2d::Zero();      ///< Along the sides, m. Round: the first.
     Eigen::Vector2d shearLengths = Eigen::Vector2d::Zero(); ///< The same of shear within the plane.
@@ -41,9 +41,9 @@ BondedPart scaledPart (BondedPart, double length, double stiffness);
 /** A stiffness along two axes in parts, by what they need to build up. */
 struct BondedStiffness
 {
-    double first = 0, second = 0;                        ///< Along one axis alone: by its own share.
-    double bothFirst = 0, bothSecond = 0, coupling = 0;  ///< By the product of both shares.
-    double shear = 0;                                    ///< By that of the shares of shear.
+    double first = 0, second = 0;                       ///< Along one axis alone: by its own share.
+    double bothFirst = 0, bothSecond = 0, coupling = 0; ///< By the product of both shares.
+    double shear = 0;                                   ///< By that of the shares of shear.
 
     /** Of a stiffness along these axes, without coupling of stretch and shear. [any] */
     static BondedStiffness of (const Eigen::Matrix3d& stiffness);

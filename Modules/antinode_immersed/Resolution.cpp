@@ -35,8 +35,9 @@ double shortestWaves (const BendingProblem& problem)
     for (const auto& patch : problem.patches)
     {
         const auto mass = 1 + patch.added.massPerArea / problem.section.massPerArea;
-        const auto stiffness = 1 + (patch.added.stiffness (0, 0) + (patch.bonded ? patch.bonded->stiffness (0, 0) : 0))
-                                       / problem.section.stiffness (0, 0);
+        const auto stiffness = 1
+                               + (patch.added.stiffness (0, 0) + (patch.bonded ? patch.bonded->stiffness (0, 0) : 0))
+                                     / problem.section.stiffness (0, 0);
         ratio = std::max (ratio, std::pow (mass / stiffness, 0.25));
     }
 

@@ -52,16 +52,16 @@ std::string doubtOf (const LearningPass& pass, const LearntModes& learnt, const 
 {
     constexpr double percent = 100;
 
-    if (! (learnt.unexplained < mostUnexplained))
-        return "The model does not explain " + inWords (percent * learnt.unexplained)
-               + " % of the signals; allowed: below " + inWords (percent * mostUnexplained)
-               + " %. Check sensors, channels and places.";
-
-    // A sensor that is dead is explained by ceramics that do nothing.
+    // Before what a fit says: a sensor that is dead is explained by ceramics that do nothing, or by nothing.
     if (! (pass.loudness > 1 / farFromPredicted && pass.loudness < farFromPredicted))
         return "Sensors hear " + inWords (percent * pass.loudness)
                + " % of what the device as it was known predicts; allowed: " + inWords (percent / farFromPredicted)
                + " to " + inWords (percent * farFromPredicted) + " %. Check sensors, channels and units.";
+
+    if (! (learnt.unexplained < mostUnexplained))
+        return "The model does not explain " + inWords (percent * learnt.unexplained)
+               + " % of the signals; allowed: below " + inWords (percent * mostUnexplained)
+               + " %. Check sensors, channels and places.";
 
     if (const auto move = farthestMove (learnt, nominal, deviations); ! (move < farthest))
         return "A frequency would be " + inWords (move)

@@ -21,11 +21,13 @@ BeamSection bareSection (const StructureCommon&, double width);
     @param width  of the beam, m. [any] Docs/Theory.md, section 1.1. */
 BeamSection ceramicSection (const StructureCommon&, double width, const CeramicDescription&);
 
-/** The same where the bond hands nothing over: beside the ends that a bond needs. [any] Docs/Theory.md, section 1.16. */
+/** The same where the bond hands nothing over: beside the ends that a bond needs. [any] Docs/Theory.md, section 1.16.
+ */
 BeamSection looseSection (const StructureCommon&, double width, const CeramicDescription&);
 
 /** How long the bond needs at either end of a ceramic to hand its force over, m; 0 where it does not shear. A ceramic
-    that is shorter by that at both ends, with a rigid bond, bends the beam as much. [any] Docs/Theory.md, section 1.16. */
+    that is shorter by that at both ends, with a rigid bond, bends the beam as much. [any] Docs/Theory.md, section 1.16.
+ */
 double bondLength (const StructureCommon&, double width, const CeramicDescription&);
 
 /** The active bending moment of a ceramic, or a pair of them, per volt, kappa_b in N m / V, with its polarity and the

@@ -47,8 +47,7 @@ double complianceOf (const std::vector<ShearedLayer>& layers)
     for (const auto& layer : layers)
     {
         const auto below = 1 - taken / whole, above = 1 - (taken + layer.membrane) / whole;
-        compliance +=
-            layer.thickness / (3 * layer.shearModulus) * (below * below + below * above + above * above);
+        compliance += layer.thickness / (3 * layer.shearModulus) * (below * below + below * above + above * above);
         taken += layer.membrane;
     }
 
@@ -132,20 +131,18 @@ std::optional<CeramicBond> ceramicBond (const StructureCommon& common, const Cer
     CeramicBond bond { sectionWith (common, ceramic, angle, { withCeramic, false }), {} };
     auto& part = bond.part;
     part.stiffness = (whole.stiffness - bond.loose.stiffness).real();
-    part.curvaturePerVolt =
-        part.stiffness.inverse() * (whole.momentPerVolt - bond.loose.momentPerVolt).real();
+    part.curvaturePerVolt = part.stiffness.inverse() * (whole.momentPerVolt - bond.loose.momentPerVolt).real();
     place (part, ceramic, angle);
 
-    const Eigen::Matrix3d stiffening = turned (whole.stiffness.real(), -angle)
-                                           .cwiseQuotient (turned (bond.loose.stiffness.real(), -angle));
+    const Eigen::Matrix3d stiffening =
+        turned (whole.stiffness.real(), -angle).cwiseQuotient (turned (bond.loose.stiffness.real(), -angle));
     const auto glued = membraneOf (gluedLayers (ceramic, withCeramic));
     const auto plate = turned (membraneOf (plateLayers (common)), -angle);
 
     for (Eigen::Index i = 0; i < 2; ++i)
     {
         const auto yields = ceramic.mounting == CeramicMounting::oneSide ? 1 / plate (i, i) : 0.0;
-        part.lengths[i] =
-            std::sqrt (compliance / (1 / glued (i, i) + yields)) * yieldingFactor (stiffening (i, i));
+        part.lengths[i] = std::sqrt (compliance / (1 / glued (i, i) + yields)) * yieldingFactor (stiffening (i, i));
         part.shearLengths[i] = part.lengths[i] * std::sqrt (glued (2, 2) / glued (i, i));
     }
 
@@ -157,6 +154,7 @@ double addedRotaryInertia (const StructureCommon& common, const CeramicDescripti
     if (common.theory != PlateTheory::mindlin)
         return 0;
 
-    return rotaryInertia (stackLayers (common, ceramic, 0, { withCeramic, true })) - rotaryInertia (plateLayers (common));
+    return rotaryInertia (stackLayers (common, ceramic, 0, { withCeramic, true }))
+           - rotaryInertia (plateLayers (common));
 }
 } // namespace antinode

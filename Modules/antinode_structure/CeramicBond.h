@@ -32,6 +32,7 @@ double yieldingFactor (double stiffening);
 std::optional<CeramicBond> ceramicBond (const StructureCommon&, const CeramicDescription&, double angle,
                                         bool withCeramic = true);
 
-/** The inertia against turning, per area, that a ceramic adds in Mindlin's theory, kg; 0 in that of thin plates. [any] */
+/** The inertia against turning, per area, that a ceramic adds in Mindlin's theory, kg; 0 in that of thin plates. [any]
+ */
 double addedRotaryInertia (const StructureCommon&, const CeramicDescription&, bool withCeramic = true);
 } // namespace antinode

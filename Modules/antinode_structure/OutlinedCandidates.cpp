@@ -139,8 +139,8 @@ Eigen::VectorXd participationOf (const BendingPatch& patch, const OutlinedSoluti
     {
         const auto& place = points.places[static_cast<std::size_t> (i)];
         places.row (i) = place.transpose();
-        moments.row (i) = points.weights[static_cast<std::size_t> (i)]
-                          * patch.momentAt (place * solution.scaled.length).transpose();
+        moments.row (i) =
+            points.weights[static_cast<std::size_t> (i)] * patch.momentAt (place * solution.scaled.length).transpose();
     }
 
     Eigen::VectorXd result = space.evaluate (places, coefficients, 2, 0).transpose() * moments.col (0)

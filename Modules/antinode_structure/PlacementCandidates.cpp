@@ -87,8 +87,7 @@ struct CandidateFinder
             checkWatch();
             const auto& c = candidates.ceramics[i];
             candidates.participation.col (static_cast<Eigen::Index> (i)) =
-                solution.coefficients.transpose()
-                * ceramicLoad (solution.problem, solved.common, c, unit);
+                solution.coefficients.transpose() * ceramicLoad (solution.problem, solved.common, c, unit);
         }
 
         correctCandidates (candidates, solved.common, like);

@@ -74,8 +74,9 @@ void addBonded (Eigen::MatrixXd& energies, const BondedPart& part, const AxisSam
     const auto shared = [&] (const AxisSamples& samples, Eigen::Index axis, const Eigen::Vector2d& lengths)
     {
         return weighed (samples, samples.places.unaryExpr (
-                                     [&] (double place)
-                                     { return bondedShare (place - part.centre[axis], part.half[axis], lengths[axis]); }));
+                                     [&] (double place) {
+                                         return bondedShare (place - part.centre[axis], part.half[axis], lengths[axis]);
+                                     }));
     };
     const auto stretchedX = shared (x, 0, part.lengths), stretchedY = shared (y, 1, part.lengths);
     const auto shearedX = shared (x, 0, part.shearLengths), shearedY = shared (y, 1, part.shearLengths);
@@ -116,8 +117,8 @@ Eigen::MatrixXd strainEnergies (const PlateDescription& plate, const PlateLayout
         addTransposedLeft (energies, 4 * region.section.d66, twist, twist);
 
         if (region.bonded)
-            addBonded (energies, *region.bonded, x, y, [&] (const AxisSamples& ofX, const AxisSamples& ofY, auto onX,
-                                                            auto onY)
+            addBonded (energies, *region.bonded, x, y,
+                       [&] (const AxisSamples& ofX, const AxisSamples& ofY, auto onX, auto onY)
                        { return sampled (problem, fields, ofX, ofY, onX, onY); });
     }
 

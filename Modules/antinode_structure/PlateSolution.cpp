@@ -259,9 +259,8 @@ Eigen::VectorXd ceramicLoad (const PlateProblem& problem, const StructureCommon&
     const auto section = bond ? alongAxes (bond->loose) : ceramicSection (common, ceramic);
     const CeramicExtent x { problem.x(), ceramic.x / unit, (ceramic.x + ceramic.sizeX) / unit };
     const CeramicExtent y { problem.y(), ceramic.y / unit, (ceramic.y + ceramic.sizeY) / unit };
-    Eigen::MatrixXd load =
-        section.momentX * x.slopeChanges() * y.integrals (0, {}).transpose()
-        + section.momentY * x.integrals (0, {}) * y.slopeChanges().transpose();
+    Eigen::MatrixXd load = section.momentX * x.slopeChanges() * y.integrals (0, {}).transpose()
+                           + section.momentY * x.integrals (0, {}) * y.slopeChanges().transpose();
 
     if (bond)
     {

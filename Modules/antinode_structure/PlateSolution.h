@@ -25,8 +25,8 @@ struct PlateSolution
     [worker] Docs/Theory.md, section 1.6. */
 PlateSolution solvePlateModes (const PlateDescription&, std::optional<int> modeCount);
 
-/** The load of one volt on a rectangular ceramic on each spline: kappa_x integral B,xx + kappa_y integral B,yy, and what
-    its bond hands over. Times the coefficients of a shape it is this shape's participation.
+/** The load of one volt on a rectangular ceramic on each spline: kappa_x integral B,xx + kappa_y integral B,yy, and
+   what its bond hands over. Times the coefficients of a shape it is this shape's participation.
     @param unit  the plate's longer side, m
     @return      one value an unknown
     [worker] Docs/Theory.md, sections 1.4 and 1.16; paper (23). */

@@ -44,7 +44,7 @@ void NetworkFingers::open (const TouchPorts& ports)
                          && ports.address == wantedPorts.address;
     wantedPorts = ports;
 
-    if (! areSame)
+    if (! areSame || (ports.oscPort == 0 && ports.tuioPort == 0))
     {
         receiver.reset();
         fingers.liftAll();

@@ -135,10 +135,17 @@ std::map<std::string, double> TouchProcessor::values() const
 /** Those of a state. */
 void TouchProcessor::openPorts (const std::map<std::string, double>& values)
 {
+    const auto now = touches->wanted();
+    const TouchPorts ports { portFrom (valueOf (values, oscKey)), portFrom (valueOf (values, tuioKey)),
+                             valueOf (values, networkKey) > 0 ? wholeNetwork : thisComputer, now.finger };
+
+    // Touches that came by no port stay.
+    if (ports.oscPort == 0 && ports.tuioPort == 0 && now.oscPort == 0 && now.tuioPort == 0)
+        return;
+
     try
     {
-        touches->open ({ portFrom (valueOf (values, oscKey)), portFrom (valueOf (values, tuioKey)),
-                         valueOf (values, networkKey) > 0 ? wholeNetwork : thisComputer, touches->wanted().finger });
+        touches->open (ports);
     }
     catch (const InputError&)
     {

@@ -56,6 +56,7 @@ TEST_CASE ("Modes beyond of a plate with a hole stand on the points of the known
     const Eigen::MatrixXd gram =
         wide.model.shapes.transpose() * wide.model.surface.masses.asDiagonal() * wide.model.shapes;
     const auto beyond = wide.model.modes() - 20;
-    CHECK ((gram - Eigen::MatrixXd::Identity (gram.rows(), gram.cols())).cwiseAbs().maxCoeff() < 0.01);
+    // The points are as many as the known modes need, at half the frequency.
+    CHECK ((gram - Eigen::MatrixXd::Identity (gram.rows(), gram.cols())).cwiseAbs().maxCoeff() < 0.03);
     CHECK (gram.topRightCorner (20, beyond).cwiseAbs().maxCoeff() < 1e-3);
 }

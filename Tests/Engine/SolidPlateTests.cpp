@@ -1,0 +1,233 @@
+#include <antinode_documents/DeviceFile.h>
+#include <antinode_engine/OfflineRender.h>
+#include <antinode_focus/DesignFocus.h>
+#include <antinode_model/ShapeInterpolation.h>
+#include <antinode_structure/DeviceDescription.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <fstream>
+#include <numbers>
+#include <set>
+
+// A drawing beside its plate in solid piezoelectric elements, which no one made with Antinode: frequencies,
+// participations, and what a focus that is designed from the drawing does on it. Tests/Data/Structure/solid-plate.json.
+
+using namespace antinode;
+using Json = nlohmann::json;
+
+namespace
+{
+const Json& solidPlates()
+{
+    static const auto plates =
+        Json::parse (std::ifstream (std::string (ANTINODE_TEST_DATA) + "/Structure/solid-plate.json"));
+    return plates;
+}
+
+struct SolidCase
+{
+    const char* name;
+    Json glue;
+    bool isPair = false;
+    double youngsModulus = 70, d31 = -171e-12; // GPa, m/V
+};
+
+Json glueOf (double modulus)
+{
+    return { { "thickness_mm", 0.05 }, { "youngs_modulus_GPa", modulus } };
+}
+
+std::vector<SolidCase> solidCases()
+{
+    return { { "one side, glue 50 um of 2.5 GPa", glueOf (2.5) },
+             { "one side, no glue", "rigid" },
+             { "one side, 50 um of 60 GPa", glueOf (60) },
+             { "pairs, no glue", "rigid", true },
+             { "pairs, glue 50 um of 2.5 GPa", glueOf (2.5), true },
+             { "one side, glue 50 um of 1.8 GPa, plate 69.3 GPa, d31 x 1.03", glueOf (1.8), false, 69.3,
+               -171e-12 * 1.03 } };
+}
+
+/** The drawing. @param onPads  false: free, which the solver of rectangles does */
+ModalModel drawn (const SolidCase& plate, bool onPads)
+{
+    Json device = {
+        { "schema", "antinode.device/1" },
+        { "name", "solid" },
+        { "kind", "plate" },
+        { "length_x_mm", 120 },
+        { "length_y_mm", 80 },
+        { "thickness_mm", 1 },
+        { "material",
+          { { "youngs_modulus_GPa", plate.youngsModulus }, { "poisson_ratio", 0.33 }, { "density_kg_m3", 2700 } } },
+        { "edges", { { "left", "free" }, { "right", "free" }, { "bottom", "free" }, { "top", "free" } } },
+        { "damping_ratio", 0.0035 },
+        { "ceramics", Json::array() },
+        { "limits", { { "voltage_V", 1000 } } }
+    };
+
+    for (const auto& corner : solidPlates()["lower_left_mm"])
+        device["ceramics"].push_back ({ { "x_mm", corner[0] },
+                                        { "y_mm", corner[1] },
+                                        { "size_x_mm", 10 },
+                                        { "size_y_mm", 10 },
+                                        { "thickness_mm", 0.5 },
+                                        { "material",
+                                          { { "youngs_modulus_GPa", 61 },
+                                            { "poisson_ratio", 0.35 },
+                                            { "density_kg_m3", 7750 },
+                                            { "d31_m_per_V", plate.d31 } } },
+                                        { "mounting", plate.isPair ? "both_sides" : "one_side" },
+                                        { "glue", plate.glue } });
+
+    if (onPads)
+        for (const auto x : { 10, 110 })
+            for (const auto y : { 10, 70 })
+                device["points"].push_back ({ { "x_mm", x }, { "y_mm", y }, { "stiffness_N_per_mm", 0.2 } });
+
+    return solveStructure (readDevice (device, "solid"), 72);
+}
+
+Eigen::VectorXd vectorOf (const Json& numbers)
+{
+    const auto values = numbers.get<std::vector<double>>();
+    return Eigen::Map<const Eigen::VectorXd> (values.data(), static_cast<Eigen::Index> (values.size()));
+}
+
+Eigen::MatrixXd rowsOf (const Json& rows)
+{
+    Eigen::MatrixXd matrix (static_cast<Eigen::Index> (rows.size()), static_cast<Eigen::Index> (rows[0].size()));
+
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        matrix.row (static_cast<Eigen::Index> (i)) = vectorOf (rows[i]).transpose();
+
+    return matrix;
+}
+
+/** Relative deviations of the drawing from 300 Hz to 16 kHz, modes paired by their participations. */
+struct Deviations
+{
+    double frequencyMean = 0, frequencySpread = 0, participationMedian = 0;
+};
+
+Deviations deviationsOf (const ModalModel& model, const Json& solid)
+{
+    const auto frequencies = vectorOf (solid["frequency_Hz"]);
+    const auto participation = rowsOf (solid["participation"]);
+    std::set<Eigen::Index> taken;
+    std::vector<double> higher, stronger;
+
+    for (Eigen::Index k = 0; k < frequencies.size(); ++k)
+    {
+        if (frequencies[k] < 300 || frequencies[k] > 16000)
+            continue;
+
+        Eigen::Index best = -1;
+        double likeness = 0;
+
+        for (Eigen::Index j = 0; j < model.modes(); ++j)
+        {
+            if (taken.count (j) > 0 || std::abs (model.frequencyHz (j) / frequencies[k] - 1) > 0.015)
+                continue;
+
+            const auto cosine =
+                std::abs (model.participation.row (j).normalized().dot (participation.row (k).normalized()));
+
+            if (cosine > likeness)
+            {
+                likeness = cosine;
+                best = j;
+            }
+        }
+
+        REQUIRE (best >= 0);
+        taken.insert (best);
+        higher.push_back (model.frequencyHz (best) / frequencies[k] - 1);
+        stronger.push_back (model.participation.row (best).norm() / participation.row (k).norm() - 1);
+    }
+
+    const Eigen::Map<const Eigen::ArrayXd> deviations (higher.data(), static_cast<Eigen::Index> (higher.size()));
+    std::nth_element (stronger.begin(), stronger.begin() + stronger.size() / 2, stronger.end());
+    return { deviations.mean(), std::sqrt ((deviations - deviations.mean()).square().mean()),
+             stronger[stronger.size() / 2] };
+}
+
+/** What the solid plate does with voltages, m/s at its points: each mode exactly, voltages straight from sample to
+ * sample. */
+Eigen::VectorXd velocityOfSolid (const Json& solid, const Eigen::MatrixXd& voltages, double rate, std::int64_t until)
+{
+    const auto frequencies = vectorOf (solid["frequency_Hz"]), damping = vectorOf (solid["damping_ratio"]);
+    const Eigen::MatrixXd forces = rowsOf (solid["participation"]) * voltages.leftCols (until + 1);
+    Eigen::VectorXd modal (frequencies.size());
+
+    for (Eigen::Index k = 0; k < modal.size(); ++k)
+    {
+        const auto omega = 2 * std::numbers::pi * frequencies[k];
+        const std::complex<double> pole (-damping[k] * omega, omega * std::sqrt (1 - damping[k] * damping[k]));
+        const auto growth = std::exp (pole / rate);
+        const auto constant = (growth - 1.0) / pole, slope = (growth - 1.0 - pole / rate) / (pole * pole / rate);
+        std::complex<double> state = 0; // q' - conj (pole) q
+
+        for (std::int64_t n = 0; n < until; ++n)
+            state = growth * state + forces (k, n) * (constant - slope) + forces (k, n + 1) * slope;
+
+        const auto displacement = state.imag() / pole.imag();
+        modal[k] = (state + std::conj (pole) * displacement).real();
+    }
+
+    return rowsOf (solid["shape"]).transpose() * modal;
+}
+} // namespace
+
+TEST_CASE ("Drawn plates have the frequencies and participations of solid elements", "[structure][solid]")
+{
+    const auto cases = solidCases();
+    const auto number = GENERATE (range (0, 6));
+    const auto& plate = cases[static_cast<std::size_t> (number)];
+    const auto& solid = solidPlates()["cases"][static_cast<std::size_t> (number)];
+    REQUIRE (solid["name"] == plate.name);
+    const auto deviations = deviationsOf (drawn (plate, true), solid);
+    CAPTURE (plate.name, deviations.frequencyMean, deviations.frequencySpread, deviations.participationMedian);
+    CHECK (std::abs (deviations.frequencyMean) < 2e-3); // The mesh is .1 % stiff itself.
+    CHECK (deviations.frequencySpread < 3e-3);
+    CHECK (std::abs (deviations.participationMedian) < 0.04);
+}
+
+TEST_CASE ("A focus that is designed from the drawing is there on the plate of solid elements", "[structure][solid]")
+{
+    const auto [focusTime, largestError] = GENERATE (std::pair { 0.025, 0.15 }, std::pair { 0.008, 0.1 });
+    const auto model = drawn (solidCases()[0], false);
+    FocusDescription focus;
+    Target target;
+    target.shape = TargetShape::bump;
+    target.x = 0.062;
+    target.y = 0.042;
+    target.width = 0.03;
+    target.peakVelocity = 0.02;
+    focus.targets = { target };
+    focus.focusTime = focusTime;
+    focus.modes.maximumFrequency = 8000;
+    focus.allocation.method = AllocationMethod::exact;
+    const Playback playback { Reconstruction::bandLimited, 1536000 };
+    const auto design = designFocus (model, focus, playback, DesignExtent::compared);
+    const auto render =
+        renderOffline (model, design.program, { playback, focusTime + 0.002, 512, Eigen::MatrixXd (0, model.modes()) });
+    const auto& solid = solidPlates()["cases"][0];
+    const auto reached = velocityOfSolid (solid, render.voltages, playback.sampleRate, render.focusSample);
+    const auto& represented = design.truncatedField;
+    const auto places = rowsOf (solidPlates()["points_mm"]);
+    Eigen::VectorXd wanted (places.rows());
+
+    for (Eigen::Index i = 0; i < wanted.size(); ++i)
+        wanted[i] = interpolateOnGrid (*model.surface.grid, represented, places (i, 0) / 1000, places (i, 1) / 1000)[0];
+
+    const auto error = (reached - wanted).norm() / wanted.norm();
+    CAPTURE (focusTime, error);
+    CHECK (error < largestError);
+    CHECK (error > 1e-3); // It is another plate.
+}
