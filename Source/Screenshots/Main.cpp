@@ -164,10 +164,8 @@ int main (int argumentCount, char* arguments[])
     const auto folder = juce::File::getCurrentWorkingDirectory().getChildFile (arguments[1]);
     const Screenshot screenshots[] = {
         { "editor-800x500", 800, 500, "staple", "demonstrator", true },
-        { "editor-2560x1440", 2560, 1440, "phone", "phone-thumb", true },
         { "editor-plate", 1280, 800, "glass-148x210", "glass-finger", true },
         { "editor-fingers", 1280, 800, "glass-148x210", "glass-finger", true, true },
-        { "editor-light", 1280, 800, "staple", "demonstrator", false },
     };
 
     for (const auto& screenshot : screenshots)
