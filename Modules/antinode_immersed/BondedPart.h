@@ -28,6 +28,13 @@ struct BondedPart
     Eigen::Vector2d lengths = Eigen::Vector2d::Zero();      ///< Along the sides, m. Round: the first.
     Eigen::Vector2d shearLengths = Eigen::Vector2d::Zero(); ///< The same of shear within the plane.
 
+    /** bondedShare at a place between the edges that cross one side of a rectangle along the axes.
+        @param side  0: along x, 1: along y @param builtUpOver  lengths or shearLengths [any] */
+    double shareAlong (Eigen::Index side, double place, const Eigen::Vector2d& builtUpOver) const
+    {
+        return bondedShare (place - centre[side], half[side], builtUpOver[side]);
+    }
+
     /** The stiffness at a place on the patch. [any] */
     Eigen::Matrix3d stiffnessAt (const Eigen::Vector2d& place) const;
 

@@ -73,10 +73,8 @@ void addBonded (Eigen::MatrixXd& energies, const BondedPart& part, const AxisSam
     const auto parts = BondedStiffness::of (part.stiffness);
     const auto shared = [&] (const AxisSamples& samples, Eigen::Index axis, const Eigen::Vector2d& lengths)
     {
-        return weighed (samples, samples.places.unaryExpr (
-                                     [&] (double place) {
-                                         return bondedShare (place - part.centre[axis], part.half[axis], lengths[axis]);
-                                     }));
+        return weighed (
+            samples, samples.places.unaryExpr ([&] (double place) { return part.shareAlong (axis, place, lengths); }));
     };
     const auto stretchedX = shared (x, 0, part.lengths), stretchedY = shared (y, 1, part.lengths);
     const auto shearedX = shared (x, 0, part.shearLengths), shearedY = shared (y, 1, part.shearLengths);

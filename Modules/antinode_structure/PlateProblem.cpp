@@ -109,11 +109,8 @@ void addBonded (PlateProblem& problem, const PlateRegion& region, const RegionPr
     const auto parts = BondedStiffness::of (part.stiffness);
     const auto products = [&] (const Eigen::Vector2d& lengths)
     {
-        const auto share = [&] (Eigen::Index axis) -> AxisWeight
-        {
-            return [middle = part.centre[axis], half = part.half[axis], length = lengths[axis]] (double place)
-            { return bondedShare (place - middle, half, length); };
-        };
+        const auto share = [&] (Eigen::Index side) -> AxisWeight
+        { return [&part, &lengths, side] (double place) { return part.shareAlong (side, place, lengths); }; };
         return computeProducts (region, problem, problem, share (0), share (1));
     };
     const auto stretched = products (part.lengths), sheared = products (part.shearLengths);

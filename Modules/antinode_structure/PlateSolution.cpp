@@ -266,11 +266,8 @@ Eigen::VectorXd ceramicLoad (const PlateProblem& problem, const StructureCommon&
     {
         const auto part = scaledPart (bond->part, unit, 1);
         const auto parts = BondedStiffness::of (part.stiffness);
-        const auto shareOf = [&] (Eigen::Index axis) -> AxisWeight
-        {
-            return [middle = part.centre[axis], half = part.half[axis], length = part.lengths[axis]] (double place)
-            { return bondedShare (place - middle, half, length); };
-        };
+        const auto shareOf = [&part] (Eigen::Index side) -> AxisWeight
+        { return [&part, side] (double place) { return part.shareAlong (side, place, part.lengths); }; };
         const auto shareX = shareOf (0), shareY = shareOf (1);
         const auto& free = part.curvaturePerVolt;
         load += x.integrals (2, shareX)
