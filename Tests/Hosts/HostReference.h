@@ -4,7 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <string>
+#include <utility>
 
 namespace antinode::test
 {
@@ -59,14 +61,27 @@ inline HostReference referenceFor (const DeviceDocument& device, const FocusDocu
     return reference;
 }
 
-inline HostReference combReference (double rate, int samples)
+/** Designed once for all cases of a test. */
+inline const HostReference& combReference (double rate, int samples)
 {
-    return referenceFor (combDevice(), combFocus(), rate, samples);
+    static std::map<std::pair<double, int>, HostReference> known;
+    auto& reference = known[{ rate, samples }];
+
+    if (reference.ceramics.size() == 0)
+        reference = referenceFor (combDevice(), combFocus(), rate, samples);
+
+    return reference;
 }
 
-inline HostReference demonstratorReference (double rate, int samples)
+inline const HostReference& demonstratorReference (double rate, int samples)
 {
-    return referenceFor (*demonstrator().device, *demonstrator().focus, rate, samples);
+    static std::map<std::pair<double, int>, HostReference> known;
+    auto& reference = known[{ rate, samples }];
+
+    if (reference.ceramics.size() == 0)
+        reference = referenceFor (*demonstrator().device, *demonstrator().focus, rate, samples);
+
+    return reference;
 }
 
 /** How far what was played is from the reference: ceramics on the first wires, silence on those beyond the device's,

@@ -29,7 +29,7 @@ std::unique_ptr<juce::AudioPluginInstance> combIn (const BuiltPlugin& plugin, co
 
 TEST_CASE ("Channel k of a hosted plug-in is ceramic k, the last two are the probes", "[hosted]")
 {
-    const auto reference = combReference (rate, length);
+    const auto& reference = combReference (rate, length);
     const auto plugin = GENERATE (from_range (builtPlugins()));
     CAPTURE (pluginName (plugin));
     const auto instance = combIn (plugin, reference, 256);
@@ -40,9 +40,9 @@ TEST_CASE ("Channel k of a hosted plug-in is ceramic k, the last two are the pro
 
 TEST_CASE ("A hosted VST3 plays every layout of 1 to 64 channels with and without its monitor", "[hosted]")
 {
-    const auto reference = combReference (rate, length);
+    const auto& reference = combReference (rate, length);
 
-    for (int ceramics = 1; ceramics <= 64; ceramics += 1 + ceramics / 8)
+    for (int ceramics = 1; ceramics <= 64; ceramics += ceramics == 63 ? 1 : 1 + ceramics / 3)
     {
         const BuiltPlugin plugin { PluginKind::vst3, ceramics };
         CAPTURE (ceramics);
@@ -59,7 +59,7 @@ TEST_CASE ("A hosted VST3 plays every layout of 1 to 64 channels with and withou
 
 TEST_CASE ("Blocks of any length give the same, in float and in double", "[hosted]")
 {
-    const auto reference = combReference (rate, length);
+    const auto& reference = combReference (rate, length);
     const auto plugin = GENERATE (from_range (builtPlugins()));
     CAPTURE (pluginName (plugin));
     const auto instance = combIn (plugin, reference, 8193);
@@ -98,7 +98,7 @@ TEST_CASE ("The rate of a hosted plug-in may change on the fly", "[hosted]")
 TEST_CASE ("A hosted plug-in is prepared and released as often as a host likes, and plays in real time then",
            "[hosted]")
 {
-    const auto reference = demonstratorReference (rate, length);
+    const auto& reference = demonstratorReference (rate, length);
     const auto plugin = GENERATE (from_range (builtPair()));
     CAPTURE (pluginName (plugin));
     const auto instance = hosted (plugin);
@@ -126,7 +126,7 @@ TEST_CASE ("A hosted plug-in is prepared and released as often as a host likes, 
 
 TEST_CASE ("Twenty hosted instances play beside each other", "[hosted]")
 {
-    const auto reference = demonstratorReference (rate, length);
+    const auto& reference = demonstratorReference (rate, length);
     const auto plugin = GENERATE (from_range (builtPair()));
     CAPTURE (pluginName (plugin));
     std::vector<std::unique_ptr<juce::AudioPluginInstance>> all;

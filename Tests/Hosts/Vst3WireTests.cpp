@@ -18,7 +18,7 @@ constexpr int wireLength = 1600, block = 256, noteAt = 100;
 
 TEST_CASE ("Each of the 64 ceramics of the comb has a voltage of its own", "[vst3]")
 {
-    const auto reference = combReference (rate, wireLength);
+    const auto& reference = combReference (rate, wireLength);
     REQUIRE (reference.ceramics.rows() == 64);
 
     for (int i = 0; i < 64; ++i)
@@ -31,7 +31,7 @@ TEST_CASE ("Each of the 64 ceramics of the comb has a voltage of its own", "[vst
 
 TEST_CASE ("Wire k of a VST3 carries ceramic k for every number of channels that a host asks for", "[vst3]")
 {
-    const auto reference = combReference (rate, wireLength);
+    const auto& reference = combReference (rate, wireLength);
     RawVst3 plugin (32);
     REQUIRE (plugin.setState (reference.state));
 
@@ -58,7 +58,7 @@ TEST_CASE ("Wire k of a VST3 carries ceramic k for every number of channels that
 TEST_CASE ("A host that keeps the VST3's layout gets ceramic k on wire k", "[vst3]")
 {
     const auto ceramics = GENERATE (1, 2, 8, 16, 19, 20, 21, 25, 32, 48, 62, 63, 64);
-    const auto reference = combReference (rate, wireLength);
+    const auto& reference = combReference (rate, wireLength);
     RawVst3 plugin (ceramics);
     CHECK (plugin.channels (0) == ceramics);
     CHECK (plugin.channels (1) == 2);
@@ -69,7 +69,7 @@ TEST_CASE ("A host that keeps the VST3's layout gets ceramic k on wire k", "[vst
 
 TEST_CASE ("A new VST3 plays the demonstrator, and wires beyond its 8 ceramics are silent", "[vst3]")
 {
-    const auto reference = demonstratorReference (rate, wireLength);
+    const auto& reference = demonstratorReference (rate, wireLength);
     RawVst3 plugin (32);
     plugin.activate ({ rate, block, true, false });
     CHECK (deviation (plugin.play (wireLength, block, noteAt), 32, reference, noteAt) < wireTolerance);
@@ -77,7 +77,7 @@ TEST_CASE ("A new VST3 plays the demonstrator, and wires beyond its 8 ceramics a
 
 TEST_CASE ("In real time a VST3 plays what it plays offline once its foci are designed", "[vst3]")
 {
-    const auto reference = demonstratorReference (rate, wireLength);
+    const auto& reference = demonstratorReference (rate, wireLength);
     const auto isDouble = GENERATE (false, true);
     RawVst3 plugin (8);
     auto error = 1.0;
@@ -96,7 +96,7 @@ TEST_CASE ("In real time a VST3 plays what it plays offline once its foci are de
 
 TEST_CASE ("A host that keeps controller and component apart gets the same", "[vst3]")
 {
-    const auto reference = demonstratorReference (rate, wireLength);
+    const auto& reference = demonstratorReference (rate, wireLength);
     RawVst3 plugin (8, RawVst3::Connection::byMessages);
     CHECK (plugin.controller->getParameterCount() > 15);
     plugin.activate ({ rate, block, true, false });
