@@ -61,27 +61,24 @@ inline HostReference referenceFor (const DeviceDocument& device, const FocusDocu
     return reference;
 }
 
-/** Designed once for all cases of a test. */
+/** Made once for all cases of a program. @param make  what is kept by rate and samples */
+template <typename Make>
+const HostReference& keptReference (double rate, int samples, const Make& make)
+{
+    static std::map<std::pair<double, int>, HostReference> known; // One for each kind of Make.
+    const auto found = known.find ({ rate, samples });
+    return found != known.end() ? found->second : known[{ rate, samples }] = make();
+}
+
 inline const HostReference& combReference (double rate, int samples)
 {
-    static std::map<std::pair<double, int>, HostReference> known;
-    auto& reference = known[{ rate, samples }];
-
-    if (reference.ceramics.size() == 0)
-        reference = referenceFor (combDevice(), combFocus(), rate, samples);
-
-    return reference;
+    return keptReference (rate, samples, [&] { return referenceFor (combDevice(), combFocus(), rate, samples); });
 }
 
 inline const HostReference& demonstratorReference (double rate, int samples)
 {
-    static std::map<std::pair<double, int>, HostReference> known;
-    auto& reference = known[{ rate, samples }];
-
-    if (reference.ceramics.size() == 0)
-        reference = referenceFor (*demonstrator().device, *demonstrator().focus, rate, samples);
-
-    return reference;
+    return keptReference (rate, samples,
+                          [&] { return referenceFor (*demonstrator().device, *demonstrator().focus, rate, samples); });
 }
 
 /** How far what was played is from the reference: ceramics on the first wires, silence on those beyond the device's,
