@@ -29,7 +29,7 @@ JsonObject readBody (const JsonValue& device, std::initializer_list<std::string_
 {
     std::vector<std::string_view> keys { "schema",       "name",     "description",   "kind",
                                          "thickness_mm", "material", "damping_ratio", "quality_factor",
-                                         "ceramics",     "limits",   "modes" };
+                                         "ceramics",     "limits",   "modes",         theoryKey };
     keys.insert (keys.end(), keysOfKind);
     return device.object (keys);
 }
@@ -66,7 +66,7 @@ StructureCommon readCommon (const JsonObject& body)
 
 OutlinedPlate readOutlinedPlate (const JsonValue& device)
 {
-    const auto body = readBody (device, { "outline", "edges", "foundation", "areas", "points", layersKey, theoryKey });
+    const auto body = readBody (device, { "outline", "edges", "foundation", "areas", "points", layersKey });
     auto named = readOutline (body.required ("outline"));
     OutlinedPlate plate;
     plate.common = readCommon (body);
@@ -115,8 +115,8 @@ std::variant<PlateDescription, OutlinedPlate> readPlate (const JsonValue& device
     if (device.find ("outline"))
         return readOutlinedPlate (device);
 
-    const auto body = readBody (device, { "length_x_mm", "length_y_mm", "edges", "foundation", "areas", "points",
-                                          "outline", layersKey, theoryKey });
+    const auto body = readBody (
+        device, { "length_x_mm", "length_y_mm", "edges", "foundation", "areas", "points", "outline", layersKey });
     const auto lengthX = readLength (body, "length_x_mm");
     const auto lengthY = readLength (body, "length_y_mm");
     const auto edges = body.required ("edges").object ({ "left", "right", "bottom", "top" });

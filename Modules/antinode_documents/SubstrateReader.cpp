@@ -19,9 +19,11 @@ constexpr double usualGlueThickness = 50e-6, usualGlueModulus = 2.5e9, usualGlue
                  usualGlueDensity = 1150;
 constexpr NumberRange glueModulusGigapascal { 1e-6, 1e3 };
 
-constexpr WordList<PlateTheory, 3> theoryWords {
-    { { "mindlin", PlateTheory::mindlin }, { "kirchhoff", PlateTheory::thin }, { "thin", PlateTheory::thin } }
+constexpr WordList<BendingTheory, 3> plateTheoryWords {
+    { { "mindlin", BendingTheory::thick }, { "kirchhoff", BendingTheory::thin }, { "thin", BendingTheory::thin } }
 }; // As in older files.
+constexpr WordList<BendingTheory, 2> beamTheoryWords { { { "timoshenko", BendingTheory::thick },
+                                                         { "euler_bernoulli", BendingTheory::thin } } };
 
 GlueLayer glueOf (double thickness, double modulus)
 {
@@ -71,13 +73,14 @@ void readSubstrate (StructureCommon& common, const JsonObject& body)
         common.material = readElasticMaterial (body.required ("material"));
     }
 
-    common.theory = hasSoftLayers (common) ? PlateTheory::thin : PlateTheory::mindlin;
+    common.theory = hasSoftLayers (common) ? BendingTheory::thin : BendingTheory::thick;
 
     if (const auto theory = body.optional (theoryKey))
     {
-        common.theory = theory->choice (theoryWords);
+        const auto isLine = body.has ("width_mm"); // Beams and staples have one.
+        common.theory = isLine ? theory->choice (beamTheoryWords) : theory->choice (plateTheoryWords);
 
-        if (common.theory == PlateTheory::mindlin && hasSoftLayers (common))
+        if (common.theory == BendingTheory::thick && hasSoftLayers (common))
             theory->fail ("is 'mindlin', but a laminate with soft layers shears in these; allowed: 'kirchhoff'");
     }
 

@@ -5,12 +5,12 @@
 
 namespace antinode
 {
-/** The keys of a substrate that a plate may have beyond thickness and material. */
+/** The keys of a substrate beyond thickness and material: layers of a plate, the theory of its bending. */
 inline constexpr std::string_view layersKey = "layers", theoryKey = "theory";
 
 /** What a device is made of without its ceramics: thickness and material, or layers from the bottom up; the theory of
-    plates; damping, which a laminate with soft layers need not have.
-    @param body  of a device; only those of plates know layers and theory
+    its bending; damping, which a laminate with soft layers need not have.
+    @param body  of a device; only those of plates know layers
     @throws InputError [worker] */
 void readSubstrate (StructureCommon&, const JsonObject& body);
 

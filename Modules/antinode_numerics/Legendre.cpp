@@ -49,6 +49,23 @@ Eigen::MatrixXd legendrePolynomials (const Eigen::VectorXd& places, Eigen::Index
     return p;
 }
 
+Eigen::MatrixXd legendreSlopes (const Eigen::VectorXd& places, Eigen::Index count)
+{
+    // P_n' = P_{n-2}' + (2 n - 1) P_{n-1}.
+    const auto p = legendrePolynomials (places, count);
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero (places.size(), count);
+
+    for (Eigen::Index n = 1; n < count; ++n)
+    {
+        slopes.col (n) = static_cast<double> (2 * n - 1) * p.col (n - 1);
+
+        if (n > 1)
+            slopes.col (n) += slopes.col (n - 2);
+    }
+
+    return slopes;
+}
+
 LegendreIntegrals legendreIntegrals (const Eigen::VectorXd& places, Eigen::Index count)
 {
     // The integral of P_n from -1 is (P_{n+1} - P_{n-1}) / (2 n + 1); used twice.

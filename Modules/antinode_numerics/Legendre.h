@@ -18,6 +18,9 @@ QuadratureRule gaussLobattoRule (Eigen::Index count);
 /** Legendre polynomials P_0 .. P_{count-1}, one per column, at positions in -1..1, one per row. [any] */
 Eigen::MatrixXd legendrePolynomials (const Eigen::VectorXd& places, Eigen::Index count);
 
+/** Their derivatives. [any] */
+Eigen::MatrixXd legendreSlopes (const Eigen::VectorXd& places, Eigen::Index count);
+
 /** Legendre polynomials integrated from -1, once and twice. */
 struct LegendreIntegrals
 {

@@ -2,14 +2,18 @@
 
 #include "DeviceDescription.h"
 
+#include <limits>
+
 namespace antinode
 {
-/** The mass and stiffness of a beam's cross-section. Docs/Theory.md, section 1.1. */
+/** The mass and stiffness of a beam's cross-section. Docs/Theory.md, sections 1.1 and 1.3. */
 struct BeamSection
 {
-    double massPerLength = 0;    ///< mu, kg/m
-    double bendingStiffness = 0; ///< EI about the neutral axis, N m^2
-    double axialStiffness = 0;   ///< EA, N
+    double massPerLength = 0;                                        ///< mu, kg/m
+    double bendingStiffness = 0;                                     ///< EI about the neutral axis, N m^2
+    double axialStiffness = 0;                                       ///< EA, N
+    double shearStiffness = std::numeric_limits<double>::infinity(); ///< S, N: of the thin theory infinite.
+    double rotaryInertia = 0; ///< I about the neutral axis, kg m: of the thin theory none.
 };
 
 /** The bare substrate. @param width  of the beam, m. [any] */

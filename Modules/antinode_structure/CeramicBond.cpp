@@ -27,10 +27,7 @@ std::vector<ShearedLayer> shearedLayers (const CeramicDescription& ceramic, bool
     if (withCeramic)
     {
         const auto& material = ceramic.material;
-        layers.push_back ({ ceramic.thickness,
-                            material.fibres ? material.fibres->shearModulus
-                                            : material.youngsModulus / (2 * (1 + material.poissonRatio)),
-                            ceramic.thickness * material.youngsModulus });
+        layers.push_back ({ ceramic.thickness, material.shearModulus(), ceramic.thickness * material.youngsModulus });
     }
 
     return layers;
@@ -107,10 +104,10 @@ double rotaryInertia (const std::vector<SectionLayer>& layers)
 }
 } // namespace
 
-double bondCompliance (const CeramicDescription& ceramic, PlateTheory theory, bool withCeramic)
+double bondCompliance (const CeramicDescription& ceramic, BendingTheory theory, bool withCeramic)
 {
     const auto glue = ceramic.glue ? ceramic.glue->thickness / ceramic.glue->material.shearModulus : 0.0;
-    return glue + (theory == PlateTheory::mindlin ? complianceOf (shearedLayers (ceramic, withCeramic)) : 0.0);
+    return glue + (theory == BendingTheory::thick ? complianceOf (shearedLayers (ceramic, withCeramic)) : 0.0);
 }
 
 double yieldingFactor (double stiffening)
@@ -151,7 +148,7 @@ std::optional<CeramicBond> ceramicBond (const StructureCommon& common, const Cer
 
 double addedRotaryInertia (const StructureCommon& common, const CeramicDescription& ceramic, bool withCeramic)
 {
-    if (common.theory != PlateTheory::mindlin)
+    if (common.theory != BendingTheory::thick)
         return 0;
 
     return rotaryInertia (stackLayers (common, ceramic, 0, { withCeramic, true }))

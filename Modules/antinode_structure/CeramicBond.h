@@ -18,7 +18,7 @@ struct CeramicBond
 
 /** The compliance in shear between the face of a plate and the middle of what is glued to it, m/Pa: the glue's, and in
     Mindlin's theory that of the ceramic. [any] Docs/Theory.md, section 1.16. */
-double bondCompliance (const CeramicDescription&, PlateTheory, bool withCeramic = true);
+double bondCompliance (const CeramicDescription&, BendingTheory, bool withCeramic = true);
 
 /** How much longer the build-up is where the plate yields than where its curvature is given.
     @param stiffening  bending stiffness with the whole bond over that without it, above 1

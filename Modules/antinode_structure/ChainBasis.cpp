@@ -54,19 +54,19 @@ ChainMotion ChainBasis::motion (const Eigen::MatrixXd& coefficients, const std::
 {
     ChainMotion result;
     Eigen::MatrixXd state = startMotion * coefficients.topRows (rigidUnknowns());
+    const auto perElement = curvatures + strains;
 
     for (std::size_t e = 0; e < chain.elements.size(); ++e)
     {
-        const auto first = rigidUnknowns() + static_cast<Eigen::Index> (e) * (curvatures + strains);
-        result.elements.push_back (
-            elementMotion (e, places[e], state, coefficients.middleRows (first, curvatures + strains)));
+        const auto first = rigidUnknowns() + static_cast<Eigen::Index> (e) * perElement;
+        result.elements.push_back (elementMotion (e, places[e], state, coefficients.middleRows (first, perElement)));
 
         const auto& element = chain.elements[e];
         const auto& moved = result.elements.back();
         const auto last = places[e].size() - 1;
         state.row (0) = element.cosine * moved.axial.row (last) - element.sine * moved.transverse.row (last);
         state.row (1) = element.sine * moved.axial.row (last) + element.cosine * moved.transverse.row (last);
-        state.row (2) = moved.slope.row (last);
+        state.row (2) = moved.rotation.row (last);
     }
 
     result.end = state;
@@ -90,13 +90,25 @@ ElementMotion ChainBasis::elementMotion (std::size_t index, const Eigen::VectorX
     result.axial = axial.replicate (places.size(), 1);
     result.transverse = half * half * integrals.twice * bent + along * startState.row (2);
     result.transverse.rowwise() += transverse;
-    result.slope = half * integrals.once * bent;
-    result.slope.rowwise() += startState.row (2);
+    result.rotation = half * integrals.once * bent;
+    result.rotation.rowwise() += startState.row (2);
+    result.slope = result.rotation;
 
     if (strains > 0)
         result.axial += half * integrals.once.leftCols (strains)
                         * energyScales (strains, element.length, element.section.axialStiffness).asDiagonal()
                         * coefficients.bottomRows (strains);
+
+    if (chain.shears)
+    {
+        // S gamma = -M': the moment's growth. Its integral is the moment, from the element's start.
+        const auto perCurvature = -element.section.bendingStiffness / element.section.shearStiffness;
+        const Eigen::MatrixXd polynomials = legendrePolynomials (places, curvatures);
+        const Eigen::RowVectorXd atStart = legendrePolynomials (Eigen::VectorXd::Constant (1, -1), curvatures).row (0);
+        result.shear = perCurvature / half * legendreSlopes (places, curvatures) * bent;
+        result.slope += result.shear;
+        result.transverse += perCurvature * (polynomials.rowwise() - atStart) * bent;
+    }
 
     return result;
 }

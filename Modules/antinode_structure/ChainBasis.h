@@ -10,6 +10,7 @@ namespace antinode
 struct ElementMotion
 {
     Eigen::MatrixXd axial, transverse, slope; ///< Along and across the element, and d transverse / dx.
+    Eigen::MatrixXd rotation, shear;          ///< Of cross-sections, and the rest of the slope; without shear 0.
 };
 
 /** The motion of a whole chain, element by element. */
@@ -20,13 +21,14 @@ struct ChainMotion
 };
 
 /** The displacements that a chain can have: on every element a polynomial, across it of the given degree, along it of
-   half of it, continuous (across it with its slope) from element to element: p-version finite elements.
+   half of it, continuous (across it with the rotation of its sections) from element to element: p-version finite
+   elements.
 
     The coefficients are, first, the free motions of the first end (at most along X, along Y, rotation), then for each
-   element those of Legendre polynomials for its curvature and for its strain, so scaled that the strain energy is half
-   the sum of the squares of those. This basis spans the same space as Hermite functions with bubbles on every element,
-   but no stiffness of a very short element (a narrow gap between two ceramics) ever has to cancel. Docs/Theory.md,
-   section 1.3.
+   element those of Legendre polynomials for its curvature and for its strain, so scaled that the strain energy without
+   shear is half the sum of the squares of those. Sections shear as balances the growth of their moment. This basis
+   spans the same space as Hermite functions with bubbles on every element, but no stiffness of a very short element (a
+   narrow gap between two ceramics) ever has to cancel. Docs/Theory.md, section 1.3.
 */
 class ChainBasis
 {

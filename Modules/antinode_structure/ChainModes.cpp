@@ -20,6 +20,7 @@ struct ChainProblem
 {
     Eigen::MatrixXd allowed;      ///< Unknowns x allowed: the basis, orthonormal columns.
     Eigen::MatrixXd displacement; ///< B, places x allowed, with M = B' B.
+    Eigen::MatrixXd shear;        ///< The same of the energy of shear; empty without.
     Eigen::MatrixXd stiffness, mass;
 };
 
@@ -39,11 +40,12 @@ Eigen::MatrixXd watchedGram (const MatrixIn& a)
     return result;
 }
 
-/** sqrt (m) times the displacements at the quadrature's places, one row per position and direction: B with M = B' B. */
+/** sqrt (m) times the displacements, and sqrt (I) times the rotations of sections that shear, at the quadrature's
+   places, one row per position and direction: B with M = B' B. */
 Eigen::MatrixXd weightedMotion (const ElementChain& chain, const ChainMotion& motion, const QuadratureRule& rule)
 {
     const auto count = rule.places.size();
-    const auto directions = chain.stretches ? 2 : 1;
+    const auto directions = 1 + (chain.stretches ? 1 : 0) + (chain.shears ? 1 : 0);
     Eigen::MatrixXd result (static_cast<Eigen::Index> (chain.elements.size()) * count * directions, motion.end.cols());
     Eigen::Index row = 0;
 
@@ -59,6 +61,13 @@ Eigen::MatrixXd weightedMotion (const ElementChain& chain, const ChainMotion& mo
         if (chain.stretches)
         {
             result.middleRows (row, count) = factors.asDiagonal() * motion.elements[e].axial;
+            row += count;
+        }
+
+        if (chain.shears)
+        {
+            const auto radius = std::sqrt (element.section.rotaryInertia / element.section.massPerLength);
+            result.middleRows (row, count) = radius * factors.asDiagonal() * motion.elements[e].rotation;
             row += count;
         }
     }
@@ -80,6 +89,25 @@ Eigen::MatrixXd forbiddenMotions (const ElementChain& chain, const Eigen::Matrix
     return rows.topRows (count);
 }
 
+/** sqrt (S) times the shear at the quadrature's places: its energy, doubled, is the sum of the squares. */
+Eigen::MatrixXd weightedShear (const ElementChain& chain, const ChainMotion& motion, const QuadratureRule& rule)
+{
+    const auto count = rule.places.size();
+    Eigen::MatrixXd result (static_cast<Eigen::Index> (chain.elements.size()) * count, motion.end.cols());
+
+    for (std::size_t e = 0; e < chain.elements.size(); ++e)
+    {
+        checkWatch();
+        const auto& element = chain.elements[e];
+        const Eigen::VectorXd factors =
+            (rule.weights * (element.section.shearStiffness * element.length / 2)).cwiseSqrt();
+        result.middleRows (static_cast<Eigen::Index> (e) * count, count) =
+            factors.asDiagonal() * motion.elements[e].shear;
+    }
+
+    return result;
+}
+
 ChainProblem makeProblem (const ElementChain& chain, const ChainBasis& basis, int degree)
 {
     if (basis.unknowns() > maximumUnknowns)
@@ -99,6 +127,12 @@ ChainProblem makeProblem (const ElementChain& chain, const ChainBasis& basis, in
     problem.mass = watchedGram (problem.displacement);
     problem.stiffness = watchedGram (strained);
 
+    if (chain.shears)
+    {
+        problem.shear = watchedProduct (weightedShear (chain, motion, rule), problem.allowed);
+        problem.stiffness += watchedGram (problem.shear);
+    }
+
     if (! problem.mass.allFinite() || ! problem.stiffness.allFinite())
         throwNumbersTooFarApart();
 
@@ -116,28 +150,42 @@ Eigen::MatrixXd massNormalised (const ChainProblem& problem, Eigen::MatrixXd vec
 }
 
 /** An angular frequency below that of any flexible mode of a straight beam: what the loosest supports (pinned and
-   guided, beta L = pi/2) give if the softest section carries the heaviest mass everywhere. */
+   guided, beta L = pi/2) give if the softest section carries the heaviest mass everywhere. What shear and rotary
+   inertia take off is bounded as Dunkerley does: flexibilities and inertias by themselves, their squared periods added.
+ */
 double lowestPossibleAngularFrequency (const ElementChain& chain)
 {
-    auto softest = chain.elements.front().section.bendingStiffness;
-    double heaviest = 0, length = 0;
+    BeamSection worst = chain.elements.front().section;
+    double length = 0;
 
     for (const auto& element : chain.elements)
     {
-        softest = std::min (softest, element.section.bendingStiffness);
-        heaviest = std::max (heaviest, element.section.massPerLength);
+        worst.bendingStiffness = std::min (worst.bendingStiffness, element.section.bendingStiffness);
+        worst.shearStiffness = std::min (worst.shearStiffness, element.section.shearStiffness);
+        worst.massPerLength = std::max (worst.massPerLength, element.section.massPerLength);
+        worst.rotaryInertia = std::max (worst.rotaryInertia, element.section.rotaryInertia);
         length += element.length;
     }
 
-    const auto waveNumber = std::numbers::pi / 2 / length;
-    return waveNumber * waveNumber * std::sqrt (softest / heaviest);
+    const auto waveNumber = std::numbers::pi / 2 / length, square = waveNumber * waveNumber;
+    const auto bending = square * std::sqrt (worst.bendingStiffness / worst.massPerLength);
+    const auto more =
+        square * (worst.bendingStiffness / worst.shearStiffness + worst.rotaryInertia / worst.massPerLength);
+    return bending / std::sqrt (1 + more);
 }
 
 /** The strain energy of each mode, doubled, as a frequency: since the mode is good to rounding, this is good to its
    square. Equal ones may come out exchanged by rounding, so none is left below the one before. */
-Eigen::VectorXd rayleighFrequencies (const ChainBasis& basis, const Eigen::MatrixXd& coefficients)
+Eigen::VectorXd rayleighFrequencies (const ChainBasis& basis, const ChainProblem& problem,
+                                     const Eigen::MatrixXd& vectors, const Eigen::MatrixXd& coefficients)
 {
-    Eigen::VectorXd frequencies = coefficients.bottomRows (basis.unknowns() - basis.rigidUnknowns()).colwise().norm();
+    Eigen::VectorXd squares =
+        coefficients.bottomRows (basis.unknowns() - basis.rigidUnknowns()).colwise().squaredNorm();
+
+    if (problem.shear.size() > 0)
+        squares += watchedProduct (problem.shear, vectors).colwise().squaredNorm().transpose();
+
+    Eigen::VectorXd frequencies = squares.cwiseSqrt();
     std::partial_sum (frequencies.begin(), frequencies.end(), frequencies.begin(),
                       [] (double a, double b) { return std::max (a, b); });
     return frequencies;
@@ -164,8 +212,9 @@ ChainModes solveChain (const ElementChain& chain, int degree, double angularFreq
 
     ChainModes modes;
     modes.rigidBodyModes = static_cast<int> (rigid);
-    modes.coefficients = watchedProduct (problem.allowed, massNormalised (problem, vectors));
-    modes.angularFrequencies = rayleighFrequencies (basis, modes.coefficients);
+    const auto normalised = massNormalised (problem, vectors);
+    modes.coefficients = watchedProduct (problem.allowed, normalised);
+    modes.angularFrequencies = rayleighFrequencies (basis, problem, normalised, modes.coefficients);
     return modes;
 }
 } // namespace antinode

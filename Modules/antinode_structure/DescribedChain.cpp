@@ -85,13 +85,14 @@ Restraint toRestraint (EdgeCondition condition)
 ElementChain makeChain (const BeamDescription& beam)
 {
     return { lineElements (beam.common, beam.width, beam.length), toRestraint (beam.left), toRestraint (beam.right),
-             false };
+             false, beam.common.theory == BendingTheory::thick };
 }
 
 ElementChain makeChain (const StapleDescription& staple)
 {
     const auto clamped = toRestraint (EdgeCondition::clamped);
-    ElementChain chain { lineElements (staple.common, staple.width, staple.topLength), clamped, clamped, true };
+    ElementChain chain { lineElements (staple.common, staple.width, staple.topLength), clamped, clamped, true,
+                         staple.common.theory == BendingTheory::thick };
     ChainElement leg { 0, staple.legLength, 0, 1, bareSection (staple.common, staple.width), false, {} };
     chain.elements.insert (chain.elements.begin(), leg);
     leg.sine = -1;

@@ -62,10 +62,10 @@ struct CeramicDescription
     Eigen::Vector2d centre() const { return { x + sizeX / 2, y + sizeY / 2 }; }
 };
 
-enum class PlateTheory
+enum class BendingTheory
 {
-    thin,   ///< Kirchhoff's.
-    mindlin ///< With shear and rotary inertia, of the plate by its waves, of ceramics in their sections.
+    thin, ///< Kirchhoff's; of beams that of Euler and Bernoulli.
+    thick ///< With shear and rotary inertia: Mindlin's, of beams Timoshenko's.
 };
 
 /** The common properties of all described (not measured) devices. */
@@ -75,7 +75,7 @@ struct StructureCommon
     ElasticMaterial material;             ///< Of a laminate that of its first layer that is not soft.
     std::vector<LayerDescription> layers; ///< Of a laminate, from the bottom up; empty: one of the material.
     SectionReference reference;           ///< Of a laminate with soft layers: the solver gives it.
-    PlateTheory theory = PlateTheory::thin;
+    BendingTheory theory = BendingTheory::thin;
     std::vector<double> dampingRatios; ///< One for all modes, or one per mode; the last one serves all further modes.
                                        ///< Soft layers add theirs; with them it may be empty.
     std::vector<CeramicDescription> ceramics;

@@ -16,13 +16,29 @@ void throwNumbersTooFarApart()
 
 double bendingWaveNumber (const BeamSection& section, double angularFrequency)
 {
-    return std::sqrt (angularFrequency * std::sqrt (section.massPerLength / section.bendingStiffness));
+    // EI k^4 - (I + mu EI / S) omega^2 k^2 - mu omega^2 (1 - I omega^2 / S) = 0, of a thin section with S infinite.
+    const auto square = angularFrequency * angularFrequency;
+    const auto mass = section.massPerLength * square, inertia = section.rotaryInertia * square;
+    const auto bending = section.bendingStiffness, shear = section.shearStiffness;
+    const auto b = inertia + mass * (bending / shear), c = mass * (1 - inertia / shear);
+    return std::sqrt ((b + std::sqrt (b * b + 4 * bending * c)) / (2 * bending));
 }
 
 double angularFrequencyOfHalfWaves (const ElementChain& chain, double halfWaves)
 {
-    const auto ratio = halfWaves / halfWavesAt (chain, 1);
-    return ratio * ratio;
+    constexpr double exact = 1e-3; // It is an estimate.
+    double low = 0, high = 1;
+
+    while (halfWavesAt (chain, high) < halfWaves)
+        high *= 2;
+
+    while (high - low > exact * high)
+    {
+        const auto middle = (low + high) / 2;
+        (halfWavesAt (chain, middle) < halfWaves ? low : high) = middle;
+    }
+
+    return high;
 }
 
 double halfWavesAt (const ElementChain& chain, double angularFrequency)
@@ -40,7 +56,7 @@ ElementChain subdivided (const ElementChain& chain, double angularFrequency)
     constexpr double largestPhase = 2.4; // rad
 
     constexpr double absurdPhase = 1e6; // rad
-    ElementChain result { {}, chain.start, chain.end, chain.stretches };
+    ElementChain result { {}, chain.start, chain.end, chain.stretches, chain.shears };
 
     for (const auto& element : chain.elements)
     {

@@ -29,12 +29,14 @@ struct ElementChain
     std::vector<ChainElement> elements;
     Restraint start, end;
     bool stretches = false; ///< Whether elements stretch as well as bend. Where not, nothing moves along x.
+    bool shears = false;    ///< Whether they shear, and their sections have inertia against turning.
 };
 
 /** Refuses a device whose numbers overflow or are negligible relative to each other. @throws InputError [any] */
 [[noreturn]] void throwNumbersTooFarApart();
 
-/** Wave number of bending waves, (omega^2 mu / EI)^(1/4) in 1/m. [any] */
+/** Wave number of bending waves in 1/m: (omega^2 mu / EI)^(1/4), and more where sections shear. [any] Docs/Theory.md,
+    section 1.3. */
 double bendingWaveNumber (const BeamSection&, double angularFrequency);
 
 /** About the angular frequency, rad/s, below which a chain has so many bending modes: that at which so many half waves

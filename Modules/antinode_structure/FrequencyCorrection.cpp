@@ -61,7 +61,7 @@ Eigen::ArrayXXd momentsAt (StructureCommon common, const SectionReference& refer
 
 bool needsCorrection (const StructureCommon& common)
 {
-    return hasSoftLayers (common) || common.theory == PlateTheory::mindlin;
+    return hasSoftLayers (common) || common.theory == BendingTheory::thick;
 }
 
 StructureCommon asSolved (StructureCommon common, double waveNumber)

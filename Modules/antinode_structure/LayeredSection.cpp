@@ -197,8 +197,8 @@ SectionLayer softLayer (const ViscoelasticMaterial& material, double thickness, 
 
 SectionLayer piezoelectricLayer (const PiezoelectricMaterial& material, double thickness, double voltage, double angle)
 {
-    const auto fibres = material.fibres.value_or (FibreComposite {
-        material.youngsModulus, material.youngsModulus / (2 * (1 + material.poissonRatio)), material.d31, thickness });
+    const auto fibres = material.fibres.value_or (
+        FibreComposite { material.youngsModulus, material.shearModulus(), material.d31, thickness });
     const auto stiffness = planeStress ({ material.youngsModulus, fibres.youngsModulus2, fibres.shearModulus,
                                           material.poissonRatio, material.density });
     const auto turn = strainsAlong (angle);

@@ -36,6 +36,8 @@ struct PiezoelectricMaterial
     double d31 = 0;                          ///< m/V, negative for the usual ones; along the fibres.
     double permittivityRelative = 0;         ///< eps33T/eps0, 0 if not given
     std::optional<FibreComposite> fibres {}; ///< Of a macro-fibre composite.
+
+    double shearModulus() const { return fibres ? fibres->shearModulus : youngsModulus / (2 * (1 + poissonRatio)); }
 };
 
 /** One term of Prony's series: a spring that relaxes. */

@@ -131,7 +131,7 @@ std::vector<std::string> thicknessWarnings (const StructureCommon& common, const
     const auto waveNumber = waveNumberAt (common, highest);
     std::array<char, 500> text {};
 
-    if (common.theory == PlateTheory::mindlin)
+    if (common.theory == BendingTheory::thick)
         std::snprintf (text.data(), text.size(),
                        "Frequencies are corrected for the thickness: that of mode %d from %.0f to %.0f Hz. Where edges "
                        "are clamped, or on ceramics, up to half of the correction is missing.",

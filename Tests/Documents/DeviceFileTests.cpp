@@ -118,8 +118,7 @@ TEST_CASE ("Errors for typical mistakes in devices give their position and what 
            == "my.json: /lenght_mm: is an unknown key (did you mean 'length_mm'?); allowed: 'schema', 'name', "
               "'description', 'kind', "
               "'thickness_mm', 'material', 'damping_ratio', 'quality_factor', 'ceramics', 'limits', 'modes', "
-              "'length_mm', 'width_mm', "
-              "'ends'");
+              "'theory', 'length_mm', 'width_mm', 'ends'");
     CHECK (errorWith ("beam", "quality_factor=60")
            == "my.json: has both 'damping_ratio' and 'quality_factor'; allowed: exactly one of the two");
     CHECK (errorWith ("plate", "quality_factor=0.5")

@@ -75,7 +75,7 @@ std::vector<Change> commonChanges (const std::function<StructureCommon&(DeviceDe
         [] (auto& c) {
             c.layers = { { c.thickness, softMaterial (0.2) } };
         },
-        [] (auto& c) { c.theory = PlateTheory::mindlin; },
+        [] (auto& c) { c.theory = BendingTheory::thick; },
         [] (auto& c) { c.ceramics[1].mounting = CeramicMounting::oneSide; },
         [] (auto& c) { c.ceramics[1].wiring = CeramicWiring::series; },
         [] (auto& c) { c.ceramics[1].polarity = -1; },

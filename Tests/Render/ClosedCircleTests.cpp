@@ -16,7 +16,7 @@ TEST_CASE ("A focus designed on the beam as it was measured at 40 dB is the same
     ExcitationSettings settings;
     settings.sampleRate = 48000;
     settings.lowestFrequency = 120;
-    settings.highestFrequency = 20000;
+    settings.highestFrequency = 19000;
     settings.resolution = 2;
     settings.periods = 2;
     settings.settlingPeriods = 2;
@@ -28,7 +28,7 @@ TEST_CASE ("A focus designed on the beam as it was measured at 40 dB is the same
     focus.targets[0].peakVelocity = 0.02;
     focus.focusTime = 0.025;
     const auto identified = identify (measuredOnBench (beam, places, settings, {}).responses, {});
-    REQUIRE (identified.modes() == 12); // All in the band.
+    REQUIRE (identified.modes() == 12); // All in the band; the next is at 20.2 kHz.
 
     for (const auto x : { -0.05, 0.0, 0.024 })
     {

@@ -125,6 +125,22 @@ TEST_CASE ("a pair of ceramics stiffens a section after Steiner", "[structure]")
     CHECK (section.axialStiffness == Approx (70e9 * 2e-5 + 62.5e9 * 2e-5).epsilon (1e-12));
 }
 
+TEST_CASE ("a section shears as the stress that balances its moment", "[structure]")
+{
+    // 10 x 2 mm of aluminium; with 5 x 0.5 mm of NCE51 on 0.05 mm of epoxy on one side, integrated with 40 digits.
+    auto common = plainCommon (2e-3);
+    common.theory = BendingTheory::thick;
+    auto ceramic = ceramicPair (0, 0.009, 0.005, 0.5e-3);
+    ceramic.mounting = CeramicMounting::oneSide;
+    ceramic.glue = GlueLayer { 50e-6, { 2.5e9, 2.5e9, 2.5e9 / 2.72, 0.36, 1150 } };
+    const auto bare = bareSection (common, 0.01), section = ceramicSection (common, 0.01, ceramic);
+    CHECK (bare.shearStiffness == Approx (5.0 / 6 * 70e9 / 2.66 * 2e-5).epsilon (1e-12));
+    CHECK (bare.rotaryInertia == Approx (2700 * 2e-5 * 4e-6 / 12).epsilon (1e-12));
+    CHECK (section.bendingStiffness == Approx (0.70797206197519).epsilon (1e-12));
+    CHECK (section.shearStiffness == Approx (378986.27821509).epsilon (1e-12));
+    CHECK (section.rotaryInertia == Approx (4.6214522173023e-8).epsilon (1e-12));
+}
+
 TEST_CASE ("a ceramic on one side bends a section about its shifted neutral axis", "[structure]")
 {
     // Moments of E dA about the substrate's mid-plane: EI = S2 - S1^2 / S0, arm = d - S1 / S0.

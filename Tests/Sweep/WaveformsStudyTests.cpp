@@ -80,8 +80,9 @@ TEST_CASE ("Waveforms are designed for the known device and played on one that d
     const auto one = drawn.evaluate (0), other = drawn.evaluate (1);
     REQUIRE (one.error.empty());
     CHECK (one.values[0] == nominal.values[0]);
-    // What modes beyond the design's leave is -56 dB; what deviates adds to it.
-    CHECK (nominal.values[2] < -50);
+    // What modes beyond the design's leave is -45 dB (-50 of a thin beam: with shear the sum over modes converges more
+    // slowly); what deviates adds to it.
+    CHECK (nominal.values[2] < -45);
     CHECK (one.values[2] > nominal.values[2]);
     CHECK (one.values[2] != other.values[2]);
 }
