@@ -4,6 +4,7 @@
 #include "DampingReader.h"
 #include "FileUnits.h"
 #include "LimitsReader.h"
+#include "OriginReader.h"
 
 #include <antinode_base/MessageText.h>
 #include <antinode_structure/MeasuredModel.h>
@@ -149,10 +150,16 @@ nlohmann::ordered_json ceramicToJson (const std::string& name, const MeasuredCer
 
 MeasuredDevice readMeasuredDevice (const JsonValue& device, std::shared_ptr<const DeviceDescription> drawing)
 {
-    const auto body = device.object ({ "schema", "name", "description", "limits", "base", "modes", "ceramics" });
+    const auto body =
+        device.object ({ "schema", "name", "description", "limits", "base", "modes", "ceramics", originKey });
     const auto limits = readLimits (body.required ("limits"));
     const auto names = ceramicNames (*drawing);
-    MeasuredDevice measured { std::move (drawing), readModes (body.required ("modes"), names.size()), {} };
+    MeasuredDevice measured {
+        std::move (drawing), readModes (body.required ("modes"), names.size()), {}, { ModeSource::retuned }
+    };
+
+    if (const auto origin = body.optional (originKey))
+        measured.origin = readOrigin (*origin);
 
     if (const auto list = body.optional ("ceramics"))
         for (const auto& ceramic : list->items (names.size(), names.size()))
@@ -164,6 +171,7 @@ MeasuredDevice readMeasuredDevice (const JsonValue& device, std::shared_ptr<cons
 void measuredToJson (nlohmann::ordered_json& device, const MeasuredDevice& measured)
 {
     const auto names = ceramicNames (*measured.drawing);
+    device[originKey] = originToJson (measured.origin);
     device["ceramics"] = nlohmann::ordered_json::array();
 
     for (std::size_t i = 0; i < measured.ceramics.size(); ++i)

@@ -10,6 +10,6 @@ namespace antinode
     @throws InputError  when sizes do not agree or a number is not allowed [worker] */
 MeasuredDevice readMeasuredDevice (const JsonValue& device, std::shared_ptr<const DeviceDescription> drawing);
 
-/** The same as JSON: "ceramics" and "modes". [worker] */
+/** The same as JSON: "origin", "ceramics" and "modes". [worker] */
 void measuredToJson (nlohmann::ordered_json& device, const MeasuredDevice&);
 } // namespace antinode

@@ -6,6 +6,7 @@
 #include "FileUnits.h"
 #include "LimitsReader.h"
 #include "ModalBoundary.h"
+#include "OriginReader.h"
 #include "OutlineReader.h"
 #include "SurfaceReader.h"
 
@@ -267,9 +268,10 @@ bool shapesAreOrthonormal (const ModalModel& model)
 
 ModalModel readModalModel (const JsonValue& device)
 {
-    const auto body = device.object ({ "schema", "name", "description", "kind", "modes", "points_mm", "weights_kg",
-                                       "areas_m2", "ceramics", "limits", "delay_s", "delay_standard_deviation_s",
-                                       "covers_whole_body", "rigid_body_modes", "outline", "held_edges", "exact" });
+    const auto body =
+        device.object ({ "schema", "name", "description", "kind", "modes", "points_mm", "weights_kg", "areas_m2",
+                         "ceramics", "limits", "delay_s", "delay_standard_deviation_s", "covers_whole_body",
+                         "rigid_body_modes", "outline", "held_edges", "exact", originKey });
     std::optional<JsonObject> exact;
 
     if (const auto given = body.optional ("exact"))
@@ -293,6 +295,9 @@ ModalModel readModalModel (const JsonValue& device)
 
     if (const auto rigid = body.optional ("rigid_body_modes"))
         model.rigidBodyModes = rigid->integer (0, 6);
+
+    if (const auto origin = body.optional (originKey))
+        model.origin = readOrigin (*origin);
 
     sortModes (model);
     const auto covers = body.optional ("covers_whole_body");

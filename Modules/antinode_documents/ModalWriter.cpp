@@ -3,6 +3,7 @@
 #include "DeviceFile.h"
 #include "FileUnits.h"
 #include "ModalBoundary.h"
+#include "OriginReader.h"
 #include "OutlineReader.h"
 
 #include <antinode_text/EigenJson.h>
@@ -175,6 +176,10 @@ nlohmann::ordered_json modalDeviceToJson (const ModalModel& given, const std::st
     device["kind"] = "modal";
     device["limits"] = limitsOf (model, givenLimits);
     device["ceramics"] = ceramicsToJson (model, device["limits"]);
+
+    if (model.origin != ModeOrigin {})
+        device[originKey] = originToJson (model.origin);
+
     device["rigid_body_modes"] = model.rigidBodyModes;
     device["covers_whole_body"] = model.coversWholeBody;
     device["modes"] = modesToJson (model);

@@ -248,6 +248,7 @@ ModalModel loadedModel (const ModalModel& model, const std::vector<Finger>& fing
         return model;
 
     requireRealModes (model, "fingers");
+    requireKnownScale (model, "fingers");
     validate (fingers, model.surface);
     const auto [bare, contacts] = turnedModes (model, fingers);
     const auto [coupled, free] = splitByContact (bare, contacts, fingers);

@@ -170,6 +170,7 @@ ContactMotion motionUnderFingers (const ModalModel& model, const std::vector<Fin
                                   const Eigen::MatrixXd& voltages)
 {
     requireRealModes (model, "fingers that can lift off");
+    requireKnownScale (model, "fingers");
     validate (fingers, model.surface);
     const auto bodies = contactBodies (model, fingers);
     const auto interval = 1 / playback.sampleRate;

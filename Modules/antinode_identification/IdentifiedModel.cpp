@@ -162,6 +162,9 @@ ModalModel toModalModel (const IdentifiedModes& modes, const MappedSurface& mapp
                             && mapped.coversWholeBody.value_or (areOrthonormal (model.shapes, model.surface.masses));
     model.frequencyErrors = modes.deviations.angularFrequencies.cwiseQuotient (modes.angularFrequencies);
     model.warnings = modes.warnings;
+    model.origin = { ModeSource::measured, static_cast<int> (used.size()),
+                     std::pow (10.0, std::min (0.0, modes.reconstructionError) / 20),
+                     modes.scaling != ShapeScaling::convention };
 
     if (model.surface.kind == SurfaceKind::line && model.points() > 1)
         model = withSplineSlopes (std::move (model));

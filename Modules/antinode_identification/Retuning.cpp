@@ -128,6 +128,12 @@ RetunedModel retuned (const ModalModel& model, const Indices& modes, const Known
     result.frequencyChanges = (changed.angularFrequencies.array() / model.angularFrequencies.array() - 1).matrix();
     result.dampingChanges = (changed.dampingRatios.array() / model.dampingRatios.array() - 1).matrix();
     result.participationScales = fit.participationScales;
+    changed.origin = { ModeSource::retuned, static_cast<int> (fit.pointErrors.size()),
+                       std::pow (10.0, std::min (0.0, fit.reconstructionError) / 20), model.origin.scaleIsKnown };
+
+    if (model.origin.source == ModeSource::measured)
+        changed.origin.source = ModeSource::measured;
+
     result.model = ascending (std::move (changed));
     result.pointErrors = fit.pointErrors;
     result.delay = fit.delay;
@@ -161,8 +167,7 @@ RetunedModel retune (const ModalModel& model, const FrequencyResponses& response
 std::optional<double> usualModelError (const ModalModel& model)
 {
     const KnownSpread spread;
-    return model.unknowns > 0 && model.frequencyErrors.size() > 0
-               ? std::optional (std::hypot (spread.frequency, spread.drift))
-               : std::nullopt;
+    return model.origin.source == ModeSource::drawn ? std::optional (std::hypot (spread.frequency, spread.drift))
+                                                    : std::nullopt;
 }
 } // namespace antinode

@@ -156,6 +156,7 @@ ImportedDevice importDevice (const ElementResults& results, const ImportSettings
     mapped.fullScaleVoltage = settings.fullScaleVoltage;
     device.model = toModalModel (modesOnSurface (results, surface, order, settings), mapped);
     device.model.frequencyErrors.resize (0); // Nobody knows them.
+    device.model.origin = { ModeSource::drawn };
     device.meshNodes = results.nodes();
     device.nodesOfSurface = surface.meshNodes;
     device.leftOut = static_cast<int> (results.modes.size() - order.size());

@@ -146,6 +146,13 @@ void requireRealModes (const ModalModel& model, const std::string& what)
                    "and no fingers that the design knows");
 }
 
+void requireKnownScale (const ModalModel& model, const std::string& what)
+{
+    require (model.origin.scaleIsKnown, model,
+             "has shapes whose size is a convention, but " + what
+                 + " need the true one; identify it again with 'antinode identify --mass-kg', or with a driving point");
+}
+
 void validate (const ModalModel& model)
 {
     const auto modes = model.modes();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Ceramic.h"
+#include "ModeOrigin.h"
 #include "Surface.h"
 
 #include <string>
@@ -35,6 +36,7 @@ struct ModalModel
     int unknowns = 0;                  ///< Degrees of freedom of the solution; 0 where measured.
     Eigen::VectorXd frequencyErrors;   ///< N_m: estimated relative error of each frequency; empty if unknown.
     std::vector<std::string> warnings; ///< Sentences for the user about the accuracy of the model.
+    ModeOrigin origin;
 
     Eigen::Index modes() const { return angularFrequencies.size(); }
     Eigen::Index points() const { return shapes.rows(); }
@@ -81,6 +83,12 @@ Eigen::VectorXd phaseCollinearities (const ModalModel&);
     @throws InputError  when the modes are complex
     [any] */
 void requireRealModes (const ModalModel&, const std::string& what);
+
+/** Refuses shapes whose size is a convention where forces act on the surface: there it counts.
+    @param what  what needs the size, a plural: "fingers"
+    @throws InputError  naming the device and what gives it the size
+    [any] Docs/Theory.md, section 8.6. */
+void requireKnownScale (const ModalModel&, const std::string& what);
 
 /** Checks a model: sizes agree, numbers are finite, 0 < xi < 1, frequencies ascend and are positive; complex shapes do
     not claim to be orthogonal.

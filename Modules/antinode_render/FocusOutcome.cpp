@@ -148,6 +148,7 @@ FocusOutcome evaluateOutcome (const RenderedFocus& focus)
         outcome.eventContrast = std::abs (first.peak.velocity / outcome.elsewhere.velocity);
 
     outcome.limit = limitInWords (focus);
+    outcome.expected = expectedError (focus.known, focus.design);
     return outcome;
 }
 

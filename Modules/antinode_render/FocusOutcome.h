@@ -2,6 +2,8 @@
 
 #include "RenderedFocus.h"
 
+#include <antinode_focus/ExpectedError.h>
+
 #include <string>
 #include <vector>
 
@@ -21,12 +23,13 @@ struct TargetOutcome
 /** What a user asked for and what the plate model reached. Docs/Theory.md, section 5. */
 struct FocusOutcome
 {
-    std::vector<TargetOutcome> targets; ///< By time.
-    FieldPeak sideLobe;                 ///< The largest velocity outside the focal spots at the first focus.
-    double wantedSideLobe = 0;          ///< The same of the wanted field, of its peak.
-    FieldPeak elsewhere;                ///< The largest outside the focal spots at any time.
-    double eventContrast = 0;           ///< Peak at the first focus / elsewhere; 0 where nothing lies outside.
-    std::string limit;                  ///< What limits the field, with the key to change.
+    std::vector<TargetOutcome> targets;    ///< By time.
+    FieldPeak sideLobe;                    ///< The largest velocity outside the focal spots at the first focus.
+    double wantedSideLobe = 0;             ///< The same of the wanted field, of its peak.
+    FieldPeak elsewhere;                   ///< The largest outside the focal spots at any time.
+    double eventContrast = 0;              ///< Peak at the first focus / elsewhere; 0 where nothing lies outside.
+    std::string limit;                     ///< What limits the field, with the key to change.
+    std::optional<ExpectedError> expected; ///< On the device itself; none for complex modes.
 };
 
 /** [worker] */

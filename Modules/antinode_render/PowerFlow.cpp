@@ -184,6 +184,9 @@ std::string powerObstacle (const ModalModel& model)
     if (model.hasComplexModes())
         return "the energies of complex modes do not add up; use a device with real modes and no fingers";
 
+    if (! model.origin.scaleIsKnown)
+        return "the size of its shapes is a convention; identify the device with --mass-kg, or with a driving point";
+
     const auto modal = modalCapacitances (model);
 
     for (std::size_t i = 0; i < model.ceramics.size(); ++i)

@@ -136,6 +136,12 @@ nlohmann::ordered_json summaryToJson (const RenderedFocus& focus, const FocusOut
     summary["v_score_truncated"] = focus.truncatedScore.vScore;
     summary["field_error_truncated"] = focus.truncatedScore.fieldError;
     summary["peak_ratio_truncated"] = focus.truncatedScore.peakRatio;
+
+    if (outcome.expected)
+        summary["expected_field_error"] = { { "median", outcome.expected->median },
+                                            { "one_of_ten_above", outcome.expected->high },
+                                            { "sentence", outcome.expected->sentence } };
+
     summary["contrast"] = focus.contrast;
     summary["focus_time_ms"] = static_cast<double> (focus.render.focusSample) / focus.render.sampleRate * 1000;
     summary["foci"] = fociJson (focus);

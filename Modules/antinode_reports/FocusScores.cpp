@@ -96,6 +96,9 @@ std::vector<ReportScore> focusScores (const RenderedFocus& focus, const FocusOut
           "RMS difference from the part of the wanted field that the controlled modes can represent; from the wanted "
           "field itself it is "
               + percentInWords (focus.score.fieldError) + "." },
+        { "Field error, device", outcome.expected ? percentInWords (outcome.expected->median) : "not known",
+          "The same on the device itself, whose modes are not those of the model: "
+              + (outcome.expected ? outcome.expected->sentence : "its modes are complex") + "." },
         { "Spill-over",
           focus.model.modes() > focus.known.modes() && focus.design.description.fingers.empty()
               ? percentInWords (spillOverShare (focus))

@@ -37,6 +37,7 @@ void describe (ModalModel& model, const std::string& name, const StructureCommon
 {
     const auto& surface = model.surface;
     model.name = name;
+    model.origin.source = ModeSource::drawn;
     model.dampingRatios = dampingOfModes (common.dampingRatios, model.modes());
     model.fullScaleVoltage = common.fullScaleVoltage;
 

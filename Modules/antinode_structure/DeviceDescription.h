@@ -183,6 +183,7 @@ struct MeasuredDevice
     std::shared_ptr<const DeviceDescription> drawing; ///< A beam, staple or plate.
     std::vector<MeasuredMode> modes;                  ///< All that the device has, ascending in frequency.
     std::vector<MeasuredCeramic> ceramics;            ///< N_b, or empty.
+    ModeOrigin origin { ModeSource::retuned };
 };
 
 /** The kinds of device whose modes are computed, for messages. */

@@ -152,6 +152,7 @@ ModalModel measuredModel (const MeasuredDevice& measured, const ModalModel& draw
 {
     requireModes (measured, drawn);
     auto model = drawn;
+    model.origin = measured.origin;
     const auto count = static_cast<Eigen::Index> (measured.modes.size());
     const auto parts = drawn.coordinates() / drawn.modes();
     std::vector<Eigen::Index> order, coordinates;
@@ -212,6 +213,6 @@ std::optional<MeasuredDevice> measuredChanges (const DeviceDescription& device, 
     sortByFrequency (*modes);
     return MeasuredDevice { measuredBefore != nullptr ? measuredBefore->drawing
                                                       : std::make_shared<const DeviceDescription> (device),
-                            std::move (*modes), ceramicChanges (measuredBefore, before, now) };
+                            std::move (*modes), ceramicChanges (measuredBefore, before, now), now.origin };
 }
 } // namespace antinode

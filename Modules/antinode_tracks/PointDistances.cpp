@@ -99,7 +99,10 @@ std::vector<SurfaceLoad> touchedLoads (const ModalModel& model, const WaveformsD
 
     for (const auto& point : touchedPoints (description))
         if (const auto& finger = point.finger; finger && finger->isKnown)
+        {
+            requireKnownScale (model, "fingers");
             loads.push_back ({ contactShapes (model, *finger), finger->mass, finger->damping, finger->stiffness });
+        }
 
     return loads;
 }

@@ -10,6 +10,7 @@
 #include <antinode_base/Watch.h>
 #include <antinode_documents/MatlabTables.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/ExpectedError.h>
 #include <antinode_focus/LimitWords.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_text/OutputFolder.h>
@@ -66,6 +67,9 @@ void design (const DesignCommandOptions& all)
     std::printf ("%s on %s: %zu modes, captured %.4f, peak %s V of %s V\n", result.description.name.c_str(),
                  model.name.c_str(), result.controlledModes.size(), result.captured,
                  inWords (peakVoltage (result)).c_str(), inWords (result.program.voltageLimits.maxCoeff()).c_str());
+
+    if (const auto expected = expectedError (model, result))
+        std::printf ("Field error on the device: %s\n", expected->sentence.c_str());
 
     printPower (model, power);
 

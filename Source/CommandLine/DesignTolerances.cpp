@@ -4,6 +4,7 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_documents/ToleranceFile.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/ExpectedError.h>
 #include <antinode_reports/ToleranceReport.h>
 #include <antinode_sweep/ResumableTolerance.h>
 
@@ -34,9 +35,10 @@ double spreadOr (const std::optional<double>& asked, const char* option, double 
     return *asked / percent;
 }
 
-DetuningSpread chooseSpread (const ToleranceCommandOptions& options, const FocusDescription& focus)
+DetuningSpread chooseSpread (const ToleranceCommandOptions& options, const ModalModel& model,
+                             const FocusDescription& focus)
 {
-    const auto usual = focus.allocation.robust ? focus.allocation.robust->spread : usualSpread;
+    const auto usual = focus.allocation.robust ? focus.allocation.robust->spread : spreadOf (model.origin);
     return { spreadOr (options.frequency, "--frequency-percent", maximumFrequencyPercent, usual.frequency),
              spreadOr (options.damping, "--damping-percent", maximumOtherPercent, usual.damping),
              spreadOr (options.participation, "--participation-percent", maximumOtherPercent, usual.participation),
@@ -77,10 +79,14 @@ void addToleranceOptions (CLI::App& command, ToleranceCommandOptions& options)
     add ("--seed", options.seed, "Seed of the random devices")
         ->check (CLI::Range (0, std::numeric_limits<int>::max()))
         ->capture_default_str();
-    add ("--frequency-percent", options.frequency, "Standard deviation of each frequency, %; default: 0.1");
-    add ("--damping-percent", options.damping, "Standard deviation of each damping, %; default: 10");
-    add ("--participation-percent", options.participation, "Standard deviation of each participation, %; default: 5");
-    add ("--drift-percent", options.drift, "Standard deviation of a common drift of all frequencies, %; default: 0");
+    add ("--frequency-percent", options.frequency,
+         "Standard deviation of each frequency, %; default: by the origin of the modes");
+    add ("--damping-percent", options.damping,
+         "Standard deviation of each damping, %; default: by the origin of the modes");
+    add ("--participation-percent", options.participation,
+         "Standard deviation of each participation, %; default: by the origin of the modes");
+    add ("--drift-percent", options.drift,
+         "Standard deviation of a common drift of all frequencies, %; default: by the origin of the modes");
 }
 
 std::vector<DesignTolerance> designTolerances (const ModalModel& model, const FocusDesign& design,
@@ -88,7 +94,7 @@ std::vector<DesignTolerance> designTolerances (const ModalModel& model, const Fo
                                                const std::filesystem::path& folder, const ShowProgress& progress)
 {
     constexpr int worthKeeping = 1000; // draws: fewer are done in a second
-    const ToleranceOptions settings { chooseSpread (options, design.description), options.draws,
+    const ToleranceOptions settings { chooseSpread (options, model, design.description), options.draws,
                                       static_cast<std::uint64_t> (options.seed) };
     const auto show = [&] (double share)
     {

@@ -41,6 +41,21 @@ Measurement readFiles (const IdentifyOptions& options)
     return measurement;
 }
 
+/** The mass of a drawn plate, evenly, where nobody says the measured one; empty where there is none. */
+Eigen::VectorXd massesOfDrawing (const ModalModel& drawn, Measurement& measurement)
+{
+    const auto& surface = drawn.surface;
+
+    if (drawn.origin.source != ModeSource::drawn || surface.kind != SurfaceKind::plate || ! drawn.coversWholeBody)
+        return {};
+
+    const auto points = measurement.responses.points.rows();
+    const auto mass = surface.masses.sum();
+    measurement.remarks.push_back ("Shapes have the size that the mass of the drawing, " + inWords (1000 * mass)
+                                   + " g, gives them; --mass-kg says another one.");
+    return Eigen::VectorXd::Constant (points, mass / static_cast<double> (points));
+}
+
 /** The device with these modes. Forces in N become voltages in V, since a device has no other excitation. */
 ModalModel makeDevice (IdentifiedModes modes, const IdentifyOptions& options, const Eigen::VectorXd& masses,
                        const std::optional<ModalModel>& computed, std::vector<std::string>& remarks)
@@ -70,6 +85,13 @@ ModalModel makeDevice (IdentifiedModes modes, const IdentifyOptions& options, co
     }
 
     auto model = toModalModel (modes, surface);
+
+    if (! surface.boundary && model.surface.kind == SurfaceKind::plate)
+        remarks.emplace_back ("The surface ends at the outermost points, since nothing says where its edges are: "
+                              "--outline does.");
+
+    if (! model.origin.scaleIsKnown)
+        remarks.emplace_back ("The size of shapes is a convention: fingers and power need --mass-kg.");
 
     if (! model.frequencyErrors.allFinite()) // Useless to readers of the device.
         model.frequencyErrors.resize (0);
@@ -129,13 +151,16 @@ IdentificationResult identifyFiles (const IdentifyOptions& options, const std::o
     };
     show ("Reading", 0);
     auto measurement = readFiles (options);
-    const auto search = toIdentificationOptions (options, measurement.responses.points.rows());
+    auto search = toIdentificationOptions (options, measurement.responses.points.rows());
     IdentificationResult result;
 
     if (against)
     {
         result.computed = solveDevice (*against, std::nullopt, options.usesCache);
         result.described = against;
+
+        if (! options.mass)
+            search.pointMasses = massesOfDrawing (*result.computed, measurement);
     }
 
     show ("Identifying", 0.1);

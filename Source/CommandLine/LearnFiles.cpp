@@ -183,6 +183,9 @@ std::string learntDeviceText (const LearningSetup& setup, const LearntFocus& lea
         if (setup.nominal.model.participation.col (i).isZero (0)) // They only listened.
             now.participation.col (i) = before.participation.col (i);
 
+    if (now.origin.source == ModeSource::drawn && learnt.refusal.empty())
+        now.origin = { ModeSource::retuned, static_cast<int> (setup.places.rows()), learnt.learnt.unexplained };
+
     return changedDeviceText (setup.described, before, now, "Learnt from plays of a focus");
 }
 

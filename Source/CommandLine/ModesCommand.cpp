@@ -97,6 +97,11 @@ void printTable (const ModalModel& model)
         std::printf ("Errors are relative: of the numerical solution; of the model, what devices usually differ from "
                      "their description by.\n");
 
+    if (model.origin.source == ModeSource::drawn)
+        std::printf (
+            "Drawn, not measured: 'antinode retune' with responses of six points gives frequencies, damping and "
+            "strengths of the device itself.\n");
+
     for (const auto& warning : model.warnings)
         std::printf ("%s\n", warning.c_str());
 }

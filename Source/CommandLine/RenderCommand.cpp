@@ -88,6 +88,10 @@ void printSummary (const RenderedFocus& focus, const FocusOutcome& outcome, cons
     std::printf ("  v-score        %.4f, %.6f\n", focus.score.vScore, focus.truncatedScore.vScore);
     std::printf ("  field error    %.2f %%, %.4f %%\n", 100 * focus.score.fieldError,
                  100 * focus.truncatedScore.fieldError);
+
+    if (outcome.expected)
+        std::printf ("  on the device  %s\n", outcome.expected->sentence.c_str());
+
     std::printf ("  captured       %.4f by %zu of %td modes\n", design.captured, design.controlledModes.size(),
                  focus.known.modes());
     std::printf ("  %s\n", spillOverToText (focus).c_str());

@@ -65,7 +65,7 @@ TEST_CASE ("modes --report writes a page beside the table, or says in a line why
     const TemporaryFolder folder;
     const auto run = runProgram ({ "modes", "staple", "--count", "5", "--report", folder.path() / "modes" });
     REQUIRE (run.exitCode == 0);
-    CHECK (linesIn (run.output) == 8);
+    CHECK (linesIn (run.output) == 9);
     const auto page = readContent (folder.path() / "modes" / "report.html");
     CHECK_THAT (page, Catch::Contains ("staple: modes") && Catch::Contains ("The lowest 5 of 5 modes"));
     const auto refused = runProgram ({ "modes", "staple", "--report", "/dev/null" });

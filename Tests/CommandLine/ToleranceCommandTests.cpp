@@ -24,7 +24,7 @@ TEST_CASE ("design --tolerance writes a table, a page and numbers, the same on e
     CHECK (page.find ("Largest causes of error") != std::string::npos);
     const auto json = nlohmann::json::parse (text);
     CHECK (json["schema"] == "antinode.tolerance/1");
-    CHECK (json["spread"]["frequency_percent"] == 0.1);
+    CHECK (json["spread"]["frequency_percent"] == 0.15);
     CHECK (json["designs"].size() == 1);
     CHECK (json["designs"][0]["draws"].size() == 40);
     CHECK (json["designs"][0]["v_score"].size() == json["percentiles"].size());
