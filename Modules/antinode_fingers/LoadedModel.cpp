@@ -4,6 +4,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
+#include <antinode_model/RigidMotion.h>
 #include <antinode_numerics/Decompositions.h>
 #include <antinode_numerics/DenseKernels.h>
 #include <antinode_numerics/GaussLegendre.h>
@@ -242,13 +243,14 @@ Eigen::RowVectorXd contactShapes (const ModalModel& model, const Finger& finger)
     return area > 0 ? Eigen::RowVectorXd (sum / area) : shapesAt (model, finger.x, finger.y);
 }
 
-ModalModel loadedModel (const ModalModel& model, const std::vector<Finger>& fingers)
+ModalModel loadedModel (const ModalModel& alone, const std::vector<Finger>& fingers)
 {
     if (fingers.empty())
-        return model;
+        return alone;
 
-    requireRealModes (model, "fingers");
-    requireKnownScale (model, "fingers");
+    requireRealModes (alone, "fingers");
+    requireKnownScale (alone, "fingers");
+    const auto model = withRigidMotion (alone);
     validate (fingers, model.surface);
     const auto [bare, contacts] = turnedModes (model, fingers);
     const auto [coupled, free] = splitByContact (bare, contacts, fingers);

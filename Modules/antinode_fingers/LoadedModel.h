@@ -12,12 +12,12 @@ namespace antinode
     [worker] Docs/Theory.md, section 1.12. */
 Eigen::RowVectorXd contactShapes (const ModalModel&, const Finger&);
 
-/** A surface with fingers on it, as its own exact modes: complex ones, since fingers damp where they are. It takes no
-    modes beyond those of the model, and answers every voltage as these modes with the fingers' masses, dampers and
-    springs in M, C and K do. A motion that a finger damps so strongly that it does not oscillate is two modes with
-    damping ratios just below 1. Without fingers the model itself.
+/** A surface with fingers on it, as its own exact modes: complex ones, since fingers damp where they are. It takes the
+    modes of the model, of a free one with its motion as a rigid body, and answers every voltage as these modes with the
+   fingers' masses, dampers and springs in M, C and K do. A motion that a finger damps so strongly that it does not
+   oscillate is two modes with damping ratios just below 1. Without fingers the model itself.
     @param model  with real modes
-    @throws InputError  when the modes are complex, or fingers are not usable
+    @throws InputError  when the modes are complex, the size of shapes is not known, or fingers are not usable
     [worker] Docs/Theory.md, section 1.12. */
 ModalModel loadedModel (const ModalModel& model, const std::vector<Finger>& fingers);
 } // namespace antinode

@@ -23,6 +23,7 @@ namespace antinode
 namespace
 {
 constexpr double poorCapture = 0.9;
+constexpr double noticedRigid = 0.14;          // sqrt (1 - 0.99^2)
 constexpr double poorTransient = 0.05;         // field error
 constexpr double minimumMove = 1e-9;           // s
 constexpr double reliableShareOfNyquist = 0.8; // the interpolation of the plate model and of real converters
@@ -218,10 +219,15 @@ void warnOfCapture (FocusDesign& design, const ModalModel& model)
     if (worst.captured < poorCapture)
         design.warnings.push_back ("The controlled modes represent only " + inWords (worst.captured)
                                    + " of the wanted field (1 is all of it). " + lossInWords (model, design, worst));
-    else if (model.rigidBodyModes > 0 && worst.captured < defaultCapture())
-        design.warnings.emplace_back (
-            "The device can move as a rigid body, and ceramics cannot excite this part of the wanted field. "
-            "Foci of opposite sign, or a sinc, have less of it.");
+
+    const auto& target = worst.target;
+    const auto rigid = std::sqrt (target.rigidEnergy / (target.energy + target.rigidEnergy));
+
+    if (rigid > noticedRigid)
+        design.warnings.push_back (
+            "The device can move as a rigid body, and ceramics cannot excite this part of the wanted field: "
+            + inWords (std::round (1000 * rigid) / 10)
+            + " % (square root of energy). Foci of opposite sign, or a sinc, have less of it.");
 }
 } // namespace
 

@@ -1,7 +1,7 @@
 #include "FieldLimits.h"
 
 #include <antinode_base/NumberText.h>
-#include <antinode_numerics/Decompositions.h>
+#include <antinode_model/RigidMotion.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,24 +12,6 @@ namespace
 {
 constexpr double blindParticipation = 1e-9; // of the largest, as modes are chosen
 constexpr int maximumPlateModes = 500;
-
-/** The energy of the part of a field that is a plane over the surface, weighted by mass, as a fraction. */
-double rigidShare (const Surface& surface, const Eigen::VectorXd& field)
-{
-    const auto isLine = surface.kind == SurfaceKind::line;
-    const Eigen::VectorXd roots = surface.masses.cwiseSqrt();
-    Eigen::MatrixXd planes (field.size(), isLine ? 2 : 3);
-    planes.col (0) = roots;
-    planes.col (1) = roots.cwiseProduct (surface.points.col (0)) / std::max (1e-9, surface.xMaximum - surface.xMinimum);
-
-    if (! isLine)
-        planes.col (2) =
-            roots.cwiseProduct (surface.points.col (1)) / std::max (1e-9, surface.yMaximum - surface.yMinimum);
-
-    const Eigen::VectorXd weighted = roots.cwiseProduct (field);
-    const Eigen::VectorXd found = planes * leastSquares (planes, weighted);
-    return found.squaredNorm() / weighted.squaredNorm();
-}
 
 std::string percent (double energy)
 {
@@ -64,7 +46,7 @@ CaptureLosses captureLosses (const ModalModel& model, const FocusDesign& design,
 
     // Shapes that are not orthogonal on a part of the body do not share energies.
     if (model.coversWholeBody)
-        for (Eigen::Index k = 0; k < model.modes(); ++k)
+        for (Eigen::Index k = suspensionModes (model); k < model.modes(); ++k)
         {
             if (std::binary_search (design.controlledModes.begin(), design.controlledModes.end(), static_cast<int> (k)))
                 continue;
@@ -76,28 +58,19 @@ CaptureLosses captureLosses (const ModalModel& model, const FocusDesign& design,
     else if (design.controlledModes.size() < static_cast<std::size_t> (model.modes()))
         inModes = losses.uncontrolled = missing;
 
-    losses.rigid = model.rigidBodyModes > 0
-                       ? std::min (std::max (0.0, missing - inModes), rigidShare (model.surface, moment.target.field))
-                       : 0;
-    losses.beyond = std::max (0.0, missing - inModes - losses.rigid);
+    losses.beyond = std::max (0.0, missing - inModes);
     return losses;
 }
 
 std::string lossInWords (const ModalModel& model, const FocusDesign& design, const FocusMoment& moment)
 {
     const auto losses = captureLosses (model, design, moment);
-    const auto largest = std::max ({ losses.uncontrolled, losses.blind, losses.rigid, losses.beyond });
+    const auto largest = std::max ({ losses.uncontrolled, losses.blind, losses.beyond });
 
     if (losses.uncontrolled == largest)
         return "Modes limit the field: the " + std::to_string (design.controlledModes.size()) + " controlled of "
                + std::to_string (model.modes()) + " leave out " + percent (losses.uncontrolled)
                + " of it (square root of energy) that others have. Raise focus.modes.captured or focus.modes.count.";
-
-    if (losses.rigid == largest)
-        return "Free edges limit the field: motion of the device as a rigid body is " + percent (losses.rigid)
-               + " of it (square root of energy), and ceramics cannot excite that. Choose focus.targets.0.shape sinc, "
-                 "or "
-                 "add a target of opposite phase.";
 
     if (losses.blind == largest)
         return "Ceramics limit the field: modes that none of them moves have " + percent (losses.blind)

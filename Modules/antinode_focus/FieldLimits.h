@@ -14,7 +14,6 @@ struct CaptureLosses
 {
     double uncontrolled = 0; ///< Modes that ceramics move, but that are not controlled.
     double blind = 0;        ///< Modes that no ceramic moves.
-    double rigid = 0;        ///< Motion of the device as a rigid body, if it is free.
     double beyond = 0;       ///< Waves shorter than all modes of the model, and edges that cannot move.
 };
 

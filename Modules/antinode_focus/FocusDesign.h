@@ -19,7 +19,8 @@ struct ProjectedTarget
 {
     Eigen::VectorXd field;           ///< N_p: v* on the points, m/s.
     Eigen::VectorXd modalVelocities; ///< N_m: v*_k, m/s kg^1/2.
-    double energy = 0;               ///< K = integral m v*^2 dA, kg m^2/s^2.
+    double energy = 0;               ///< K: integral m v*^2 dA less the rigid part, kg m^2/s^2.
+    double rigidEnergy = 0;          ///< Of motion as a rigid body, which no ceramic reaches, kg m^2/s^2.
 };
 
 /** One of the foci of a train, or the only one: the targets that share one time. Docs/Theory.md, section 4.11. */

@@ -10,6 +10,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
+#include <antinode_model/RigidMotion.h>
 #include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
@@ -139,7 +140,7 @@ bool PlacedDesigns::suits (const WideModel& wide, const FocusDescription& focus)
     return ! model.hasComplexModes() && model.coversWholeBody && isOneMoment && focus.fingers.empty() && ! focus.felt
            && ! hasSlewLimits (model) && choice.method == AllocationMethod::exact && ! choice.window
            && ! choice.isUndisplaced && ! choice.robust && focus.transients.growth.empty()
-           && focus.transients.cycles.empty();
+           && focus.transients.cycles.empty() && suspensionModes (model) == 0;
 }
 
 PlacedDesigns::PlacedDesigns (const WideModel& wide, const FocusDescription& focus, Playback playbackToUse)

@@ -2,6 +2,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_model/RigidMotion.h>
 #include <antinode_numerics/Decompositions.h>
 
 #include <algorithm>
@@ -29,7 +30,8 @@ std::vector<int> drivableModes (const ModalModel& model, std::optional<int> amon
 
     std::vector<int> modes;
 
-    for (int k = 0; k < std::min<Eigen::Index> (strength.size(), among.value_or (model.modes())); ++k)
+    for (int k = suspensionModes (model); k < std::min<Eigen::Index> (strength.size(), among.value_or (model.modes()));
+         ++k)
         if (strength[k] > 1e-9 * strength.maxCoeff())
             modes.push_back (k);
 
@@ -147,10 +149,11 @@ ProjectedTarget projectField (const ModalModel& model, const Eigen::VectorXd& fi
 {
     ProjectedTarget target;
     target.field = field;
-    target.energy = model.surface.masses.dot (field.cwiseAbs2());
     target.modalVelocities =
         model.coversWholeBody ? Eigen::VectorXd (model.shapes.transpose() * model.surface.masses.cwiseProduct (field))
                               : fitted (model.shapes.leftCols (model.modes()), model.surface.masses, field);
+    target.rigidEnergy = rigidEnergy (model, field, target.modalVelocities);
+    target.energy = std::max (0.0, model.surface.masses.dot (field.cwiseAbs2()) - target.rigidEnergy);
     return target;
 }
 

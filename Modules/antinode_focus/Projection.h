@@ -29,7 +29,8 @@ constexpr double defaultCapture()
     return 0.99;
 }
 
-/** Chooses the modes to control. Modes that no ceramic excites (participation below 1e-9 of the largest) are left out.
+/** Chooses the modes to control. Motions as a rigid body, and modes that no ceramic excites
+    (participation below 1e-9 of the largest), are left out.
     @throws InputError  when no mode is left, more are requested than exist, or the requested captured fraction cannot
    be reached [worker] Docs/Theory.md, section 2.3. */
 ModeSelection selectModes (const ModalModel&, const ProjectedTarget&, const ModeChoice&);

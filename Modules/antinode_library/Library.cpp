@@ -7,6 +7,7 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_base/UserFolders.h>
 #include <antinode_documents/OutlineFile.h>
+#include <antinode_model/RigidMotion.h>
 #include <antinode_resources.h>
 #include <antinode_structure/ModeLimits.h>
 #include <antinode_text/JsonText.h>
@@ -266,6 +267,6 @@ WideModel solveWide (const DeviceDescription& device, const ModalModel& known, d
 
 ModalModel solveDeviceWithStaticShare (const DeviceDescription& device, std::optional<int> modeCount, bool usesCache)
 {
-    return solveWithCache (device, modeCount, usesCache, SolvedShapes::withStaticShare);
+    return withRigidMotion (solveWithCache (device, modeCount, usesCache, SolvedShapes::withStaticShare));
 }
 } // namespace antinode

@@ -70,8 +70,8 @@ ModalModel solveDevice (const DeviceDescription&, std::optional<int> modeCount, 
     @param frequency  Hz */
 WideModel solveWide (const DeviceDescription&, const ModalModel& known, double frequency, bool usesCache);
 
-/** As solveDevice, with the static share of all modes beyond: one more shape per ceramic behind the modes, where the
-   device is a plate.
+/** The device as who touches it finds it: as solveDevice, before the modes the motions as a rigid body where it is
+   free, behind them the static share of all modes beyond, one more shape per ceramic, where it is a plate.
     @throws InputError  as solveWithStaticShare. [worker] Docs/Theory.md, section 1.8. */
 ModalModel solveDeviceWithStaticShare (const DeviceDescription&, std::optional<int> modeCount, bool usesCache);
 } // namespace antinode

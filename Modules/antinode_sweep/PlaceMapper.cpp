@@ -9,6 +9,7 @@
 #include <antinode_focus/FocusScore.h>
 #include <antinode_focus/Prediction.h>
 #include <antinode_focus/TargetField.h>
+#include <antinode_model/RigidMotion.h>
 #include <antinode_numerics/DenseKernels.h>
 #include <antinode_render/FeltOutcome.h>
 
@@ -121,8 +122,9 @@ void PlaceMapper::compute (MapPlace& place, const FocusDescription& moved, const
     if (shared)
     {
         ProjectedTarget target;
-        target.energy = wide.model.surface.masses.dot (projections.fields.col (i).cwiseAbs2());
         target.modalVelocities = projections.byMass.col (i).head (wide.known);
+        target.rigidEnergy = rigidEnergy (wide.model, projections.fields.col (i), target.modalVelocities);
+        target.energy = wide.model.surface.masses.dot (projections.fields.col (i).cwiseAbs2()) - target.rigidEnergy;
 
         if (! (target.energy > 0))
             throw InputError ("focus: targets", "give no velocity anywhere on the surface");
