@@ -131,7 +131,11 @@ std::vector<double> carriedByPrefixes (const ModalModel& model, const ProjectedT
 std::vector<int> modesForCapture (const ModalModel& model, const ProjectedTarget& target, std::vector<int> modes,
                                   double wanted, bool isDefault)
 {
-    const auto energies = carriedByPrefixes (model, target, modes, wanted);
+    // By default a device that moves as a rigid body, too, has as many modes as one that is short of their energy: few
+    // modes beside many guards can be beyond what its drives keep apart.
+    auto sought = target;
+    sought.energy += isDefault ? target.rigidEnergy : 0;
+    const auto energies = carriedByPrefixes (model, sought, modes, wanted);
     const auto best = capturedShare (energies.back(), target);
 
     if (best < wanted && ! isDefault)
