@@ -107,7 +107,9 @@ FocusDesign weighModes (const ModalModel& model, const ModeTrials& trials)
 {
     auto chosen = trials.choose ({});
     const auto fewest = chosen.controlledModes.size();
-    const auto isWhole = chosen.captured >= defaultCapture();
+    const auto& target = chosen.moments.front().target;
+    const auto reachable = target.energy / (target.energy + target.rigidEnergy);
+    const auto isWhole = chosen.captured * std::sqrt (reachable) >= defaultCapture();
     std::vector<FocusDesign> designs;
     std::exception_ptr refusal;
 
@@ -126,7 +128,7 @@ FocusDesign weighModes (const ModalModel& model, const ModeTrials& trials)
         design.weighing = isWhole ? "These modes are the fewest that capture 0.99 of the wanted field. They need at "
                                     "most a quarter of the limit, so that more were not weighed."
                                   : "All modes that the ceramics excite are controlled: together they capture less "
-                                    "than 0.99 of the wanted field.";
+                                    "than 0.99 of the wanted field, motion as a rigid body included.";
         return std::move (design);
     }
 

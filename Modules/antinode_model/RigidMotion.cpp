@@ -18,7 +18,8 @@ bool isFree (const ModalModel& model)
     return model.surface.kind == SurfaceKind::plate && model.surface.boundary && model.surface.boundary->held.empty();
 }
 
-/** Translation and turns, points x 2 or 3, orthonormal by mass. */
+/** Translation and turns, points x at most 2 or 3, orthonormal by mass; without those that the points do not show, as
+   of a row of points a turn about it. */
 Eigen::MatrixXd rigidShapes (const Surface& surface)
 {
     const auto& masses = surface.masses;
@@ -26,16 +27,21 @@ Eigen::MatrixXd rigidShapes (const Surface& surface)
     Eigen::MatrixXd shapes (surface.points.rows(), isLine ? 2 : 3);
     shapes.col (0).setOnes();
     shapes.rightCols (shapes.cols() - 1) = surface.points.leftCols (shapes.cols() - 1);
+    Eigen::Index count = 0;
 
     for (Eigen::Index k = 0; k < shapes.cols(); ++k)
     {
-        for (Eigen::Index j = 0; j < k; ++j)
-            shapes.col (k) -= shapes.col (j) * shapes.col (j).dot (masses.cwiseProduct (shapes.col (k)));
+        Eigen::VectorXd shape = shapes.col (k);
+        const auto whole = shape.cwiseAbs2().dot (masses);
 
-        shapes.col (k) /= std::sqrt (shapes.col (k).cwiseAbs2().dot (masses));
+        for (Eigen::Index j = 0; j < count; ++j)
+            shape -= shapes.col (j) * shapes.col (j).dot (masses.cwiseProduct (shape));
+
+        if (const auto rest = shape.cwiseAbs2().dot (masses); rest > 1e-12 * whole)
+            shapes.col (count++) = shape / std::sqrt (rest);
     }
 
-    return shapes;
+    return shapes.leftCols (count);
 }
 
 /** Those that no mode of the device has already: those of a drawn suspension are modes. */
@@ -112,10 +118,9 @@ ModalModel withRigidMotion (ModalModel model)
 int suspensionModes (const ModalModel& model)
 {
     constexpr double plane = 0.995;
+    constexpr Eigen::Index fewestPoints = 12; // Through few points any shape is a plane.
 
-    const auto hasShapes = model.points() > 0;
-
-    if (! hasShapes || model.hasComplexModes() || ! model.coversWholeBody)
+    if (model.points() < fewestPoints || model.hasComplexModes() || ! model.coversWholeBody)
         return 0;
 
     const auto rigid = rigidShapes (model.surface);

@@ -11,7 +11,7 @@ namespace antinode
 ModalModel withRigidMotion (ModalModel);
 
 /** How many of the first modes are motions as a rigid body on a suspension, 0 to 3. Their shapes are planes to .5 % of
-    their energy; a clamped beam's first shape is to 1 %. 0 for models without points. [any] */
+    their energy; a clamped beam's first shape is to 1 %. 0 for models of fewer than 12 points. [any] */
 int suspensionModes (const ModalModel&);
 
 /** The part of a field's energy that is motion as a rigid body of a free or softly held device, kg m^2/s^2: no ceramic
