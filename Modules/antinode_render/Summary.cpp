@@ -112,6 +112,23 @@ nlohmann::ordered_json targetsJson (const FocusOutcome& outcome)
 
     return list;
 }
+
+/** Against the wanted field, against its represented part, and what to expect on the device itself. */
+void addScores (nlohmann::ordered_json& summary, const RenderedFocus& focus,
+                const std::optional<ExpectedError>& expected)
+{
+    summary["v_score"] = focus.score.vScore;
+    summary["field_error"] = focus.score.fieldError;
+    summary["peak_ratio"] = focus.score.peakRatio;
+    summary["v_score_truncated"] = focus.truncatedScore.vScore;
+    summary["field_error_truncated"] = focus.truncatedScore.fieldError;
+    summary["peak_ratio_truncated"] = focus.truncatedScore.peakRatio;
+
+    if (expected)
+        summary["expected_field_error"] = { { "median", expected->median },
+                                            { "one_of_ten_above", expected->high },
+                                            { "sentence", expected->sentence } };
+}
 } // namespace
 
 nlohmann::ordered_json summaryToJson (const RenderedFocus& focus, const FocusOutcome& outcome)
@@ -130,18 +147,7 @@ nlohmann::ordered_json summaryToJson (const RenderedFocus& focus, const FocusOut
     summary["spill_over"] = spillOverJson (focus);
     summary["captured"] = design.captured;
     summary["residue"] = design.residue;
-    summary["v_score"] = focus.score.vScore;
-    summary["field_error"] = focus.score.fieldError;
-    summary["peak_ratio"] = focus.score.peakRatio;
-    summary["v_score_truncated"] = focus.truncatedScore.vScore;
-    summary["field_error_truncated"] = focus.truncatedScore.fieldError;
-    summary["peak_ratio_truncated"] = focus.truncatedScore.peakRatio;
-
-    if (outcome.expected)
-        summary["expected_field_error"] = { { "median", outcome.expected->median },
-                                            { "one_of_ten_above", outcome.expected->high },
-                                            { "sentence", outcome.expected->sentence } };
-
+    addScores (summary, focus, outcome.expected);
     summary["contrast"] = focus.contrast;
     summary["focus_time_ms"] = static_cast<double> (focus.render.focusSample) / focus.render.sampleRate * 1000;
     summary["foci"] = fociJson (focus);

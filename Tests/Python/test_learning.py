@@ -134,9 +134,13 @@ def test_recorded_passes_are_learnt_from_as_the_command_does(program, same_files
 
 @pytest.fixture(scope="module")
 def noise():
-    """Silence over the first window, then noise on all ceramics; and what the sensors hear of it on a drifted beam."""
+    """Silence over the first window, then noise up to 0.42 of the rate on all ceramics, as modes above 0.45 are not
+    followed; and what the sensors hear of it on a drifted beam."""
     random = np.random.default_rng(1)
     voltages = random.normal(0, 5, (len(an.device("beam").modes().ceramics), 3 * int(rate)))
+    spectrum = np.fft.rfft(voltages)
+    spectrum[:, np.fft.rfftfreq(voltages.shape[1]) > 0.42] = 0
+    voltages = np.fft.irfft(spectrum, voltages.shape[1])
     voltages[:, : int(1.35 * rate)] = 0
     signals = signals_of(drifted_beam(), voltages, rate)
     return voltages, signals + random.normal(0, 0.01 * signals.std(axis=1)[:, None], signals.shape)
