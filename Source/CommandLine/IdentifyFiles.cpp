@@ -29,6 +29,7 @@ Measurement readFiles (const IdentifyOptions& options)
     const auto said = toMeasurementOptions (options);
     const auto names = inNaturalOrder (options.files);
     std::vector<MeasurementFile> files;
+    files.reserve (names.size());
 
     for (const auto& name : names)
         files.push_back (readMeasurement (name, toCsvForm (options), options.variables));
@@ -110,7 +111,7 @@ std::string describeResult (const IdentificationResult& result)
 /** Those of the device that was measured; where it has other ceramics, whether it has to be armed. */
 nlohmann::ordered_json limitsOf (const IdentificationResult& result)
 {
-    const auto limits = result.described ? limitsInFile (*result.described) : nlohmann::ordered_json();
+    auto limits = result.described ? limitsInFile (*result.described) : nlohmann::ordered_json();
 
     if (limits.is_null() || result.computed->ceramics.size() == result.model.ceramics.size())
         return limits;
