@@ -94,17 +94,24 @@ struct TrackedPlay
         }
     }
 
-    /** On a busy computer windows take longer than what is played in them. */
+    /** On a busy computer windows take longer than what is played in them. The first one takes 2 s at most. */
     void awaitWindow()
     {
+        constexpr auto hung = std::chrono::minutes (2);
+        constexpr auto glance = std::chrono::milliseconds (20);
         const auto isLearning = [this]
-        { return status().state != TrackingState::frozen && status().state != TrackingState::impossible; };
-        const auto longest = status().trace.empty() ? 20 : 200; // The first window is longer.
+        {
+            const auto state = status().state;
+            return state != TrackingState::frozen && state != TrackingState::impossible
+                   && state != TrackingState::paused;
+        };
+        const auto newest = [this] { return status().trace.empty() ? 0.0 : status().trace.back().time; };
+        const auto isDue = newest() > 0 || static_cast<double> (clock) > 2 * trackedRate;
 
-        for (int i = 0; i < longest && isLearning() && status().trace.size() == seen; ++i)
-            std::this_thread::sleep_for (std::chrono::milliseconds (20));
+        for (auto waited = glance; isDue && waited < hung && isLearning() && newest() == seen; waited += glance)
+            std::this_thread::sleep_for (glance);
 
-        seen = status().trace.size();
+        seen = newest();
     }
 
     void playBlock (const std::function<void (Eigen::RowVectorXd&)>& spoil)
@@ -161,8 +168,8 @@ struct TrackedPlay
     bool isFinite = true;
     std::vector<FocusEvent> events;
     std::int64_t clock = 0;
-    std::size_t seen = 0; // windows
-    double energy = 0;    // of what was heard
+    double seen = 0;   // s, the newest window
+    double energy = 0; // of what was heard
 };
 } // namespace
 
