@@ -108,6 +108,21 @@ def test_a_worker_that_is_killed_changes_nothing(program, tmp_path, cluster):
     assert contents(tmp_path / "saved") == contents(tmp_path / "commanded")
 
 
+def test_a_worker_that_hangs_changes_nothing(commanded, tmp_path, cluster, monkeypatch):
+    """Its task neither ends nor fails: Dask waits for it. The part is submitted again."""
+    monkeypatch.setattr("antinode._sweeps.PATIENCE_S", 1)
+    stopped = list(cluster.run(os.getpid).values())[0]
+
+    def stop(what, share):
+        os.kill(stopped, signal.SIGSTOP)
+
+    try:
+        an.sweep(commanded[0], cluster, progress=stop).save(tmp_path / "saved")
+    finally:
+        os.kill(stopped, signal.SIGCONT)
+    assert contents(tmp_path / "saved") == contents(commanded[1])
+
+
 def test_the_command_resumes_what_workers_have_begun(program, tmp_path, cluster):
     file = tmp_path / "plan.json"
     file.write_text(json.dumps(plan()))

@@ -7,6 +7,7 @@ import json
 import os
 import tempfile
 import threading
+import time
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Union
 
@@ -155,22 +156,50 @@ def _filled(
 
 
 def _compute_on_workers(parts: _antinode.SweepParts, document: str, client: Any, cache: bool, show: Show) -> None:
-    """Each missing part is a task: Dask gives it to a worker that is free, and to another one where that one ends."""
+    """Each missing part is a task: Dask gives it to a worker that is free, and to another one where that one ends.
+
+    A task whose worker hangs, or whose result is lost as its worker ends, never finishes. Where no part comes for a
+    while, those missing are submitted again, each time after twice as long; the first result of a part counts.
+    """
     missing = parts.missing()
-    if not missing:
-        return
-    # A task itself, so that a worker that has ended takes nothing along that cannot be made again.
-    kept = client.submit(_itself, document, pure=False)
-    tasks = client.map(_part, missing, document=kept, cache=cache, pure=False)
-    indices = dict(zip((task.key for task in tasks), missing))
+    wanted = len(missing)
+    finished = importlib.import_module("distributed").as_completed(with_results=True)
+    indices: dict[str, int] = {}
+    submitted: list[Any] = []
+
+    def submit() -> float:
+        # A task itself, so that a worker that has ended takes nothing along that cannot be made again.
+        kept = client.submit(_itself, document, pure=False)
+        tasks = client.map(_part, missing, document=kept, cache=cache, pure=False)
+        indices.update((task.key, index) for task, index in zip(tasks, missing))
+        submitted.extend((kept, *tasks))
+        finished.update(tasks)
+        return time.monotonic()
+
+    patience_s = PATIENCE_S
     try:
-        finished = importlib.import_module("distributed").as_completed(tasks, with_results=True)
-        for done, (task, part) in enumerate(finished, 1):
-            parts.keep(indices[task.key], part)
-            if show is not None:
-                show("Sweeping", done / len(missing))
+        latest = submit() if missing else 0.0
+        while missing:
+            if finished.has_ready():
+                task, part = next(finished)
+                index = indices[task.key]
+                if index in missing:
+                    parts.keep(index, part)
+                    missing.remove(index)
+                    if show is not None:
+                        show("Sweeping", 1 - len(missing) / wanted)
+                latest = time.monotonic()
+            elif time.monotonic() - latest > patience_s:
+                patience_s *= 2
+                latest = submit()
+            else:
+                time.sleep(0.02)
     finally:
-        client.cancel([kept, *tasks])
+        client.cancel(submitted)
+
+
+# Longer than the parts of most sweeps; what is computed twice costs time only.
+PATIENCE_S = 120.0
 
 
 def _itself(document: str) -> str:
