@@ -4,6 +4,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_model/BoundedSurface.h>
+#include <antinode_numerics/Median.h>
 
 #include <algorithm>
 #include <cmath>
@@ -120,6 +121,26 @@ void takeShapes (ModalModel& model, const IdentifiedModes& modes, const std::vec
     model.participation << modes.complexParticipation.real(), modes.complexParticipation.imag();
 }
 
+/** How far the shape and participation of the middle mode are off, RMS over RMS: by their deviations, or by all that
+   the modes leave of the responses where nobody knows these. */
+double unexplainedShare (const IdentifiedModes& modes, const std::vector<Eigen::Index>& used)
+{
+    const auto& deviations = modes.deviations;
+    std::vector<double> errors;
+
+    if (deviations.shapes.cols() == modes.modes() && deviations.participation.rows() == modes.modes())
+        for (Eigen::Index k = 0; k < modes.modes(); ++k)
+            errors.push_back (
+                std::hypot (deviations.shapes (used, k).norm() / modes.shapes (used, k).norm(),
+                            deviations.participation.row (k).norm() / modes.participation.row (k).norm()));
+
+    const auto areKnown =
+        std::all_of (errors.begin(), errors.end(), [] (double error) { return std::isfinite (error); });
+
+    return areKnown && ! errors.empty() ? std::min (1.0, median (std::move (errors)))
+                                        : std::pow (10.0, std::min (0.0, modes.reconstructionError) / 20);
+}
+
 void check (const IdentifiedModes& modes, const MappedSurface& mapped)
 {
     if (modes.drive != DriveQuantity::voltage)
@@ -162,8 +183,7 @@ ModalModel toModalModel (const IdentifiedModes& modes, const MappedSurface& mapp
                             && mapped.coversWholeBody.value_or (areOrthonormal (model.shapes, model.surface.masses));
     model.frequencyErrors = modes.deviations.angularFrequencies.cwiseQuotient (modes.angularFrequencies);
     model.warnings = modes.warnings;
-    model.origin = { ModeSource::measured, static_cast<int> (used.size()),
-                     std::pow (10.0, std::min (0.0, modes.reconstructionError) / 20),
+    model.origin = { ModeSource::measured, static_cast<int> (used.size()), unexplainedShare (modes, used),
                      modes.scaling != ShapeScaling::convention };
 
     if (model.surface.kind == SurfaceKind::line && model.points() > 1)

@@ -18,6 +18,12 @@ bool isFree (const ModalModel& model)
     return model.surface.kind == SurfaceKind::plate && model.surface.boundary && model.surface.boundary->held.empty();
 }
 
+/** Whether the points stand for all of the body, with its mass: of measured ones an outline says where it ends. */
+bool standsForWholeBody (const ModalModel& model)
+{
+    return model.coversWholeBody || (model.origin.source == ModeSource::measured && model.surface.boundary);
+}
+
 /** Translation and turns, points x at most 2 or 3, orthonormal by mass; without those that the points do not show, as
    of a row of points a turn about it. */
 Eigen::MatrixXd rigidShapes (const Surface& surface)
@@ -84,7 +90,7 @@ Eigen::MatrixXd slopesOf (const Surface& surface, const Eigen::MatrixXd& planes)
 
 ModalModel withRigidMotion (ModalModel model)
 {
-    if (model.hasComplexModes() || ! model.coversWholeBody || ! model.origin.scaleIsKnown || ! isFree (model))
+    if (model.hasComplexModes() || ! standsForWholeBody (model) || ! model.origin.scaleIsKnown || ! isFree (model))
         return model;
 
     const auto all = rigidShapes (model.surface);
