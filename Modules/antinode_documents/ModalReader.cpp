@@ -146,6 +146,20 @@ void readModes (const JsonObject& device, const std::vector<Eigen::Index>& order
         readMode (modes[static_cast<std::size_t> (k)], order, k, model);
 }
 
+/** What modes beyond do: one list per ceramic. */
+void readStaticShare (const JsonValue& lists, const std::vector<Eigen::Index>& order, ModalModel& model)
+{
+    if (model.hasComplexModes())
+        lists.fail ("is given beside complex modes; allowed: with real ones");
+
+    const auto ceramics = static_cast<std::size_t> (model.actuators());
+    model.staticShare.resize (model.points(), model.actuators());
+    Eigen::Index i = 0;
+
+    for (const auto& list : lists.items (ceramics, ceramics))
+        model.staticShare.col (i++) = readShape (list, model.points()) (order);
+}
+
 Ceramic readCeramic (const JsonValue& value, const VoltageLimits& limits)
 {
     const auto object = value.object ({ "name", "x_mm", "y_mm", "size_x_mm", "size_y_mm", "voltage_limit_V",
@@ -271,7 +285,7 @@ ModalModel readModalModel (const JsonValue& device)
     const auto body =
         device.object ({ "schema", "name", "description", "kind", "modes", "points_mm", "weights_kg", "areas_m2",
                          "ceramics", "limits", "delay_s", "delay_standard_deviation_s", "covers_whole_body",
-                         "rigid_body_modes", "outline", "held_edges", "exact", originKey });
+                         "rigid_body_modes", "outline", "held_edges", "exact", "static_share_m_per_V", originKey });
     std::optional<JsonObject> exact;
 
     if (const auto given = body.optional ("exact"))
@@ -283,6 +297,9 @@ ModalModel readModalModel (const JsonValue& device)
     readBoundary (body, model.surface);
     readModes (body, given.order, model);
     readCeramics (body, model);
+
+    if (const auto share = body.optional ("static_share_m_per_V"))
+        readStaticShare (*share, given.order, model);
 
     if (exact)
         refineFromExact (*exact, model);

@@ -124,7 +124,7 @@ Json ceramicsToJson (const ModalModel& model, const Json& limits)
 /** Without a grid values beyond the boundary mean nothing: points that only carried it are left out. */
 ModalModel withoutGrid (ModalModel model)
 {
-    auto& surface = model.surface;
+    const auto& surface = model.surface;
 
     if (! surface.boundary || ! surface.grid)
         return model;
@@ -135,12 +135,7 @@ ModalModel withoutGrid (ModalModel model)
         if (surface.areas[p] > 0 || surface.masses[p] > 0)
             kept.push_back (p);
 
-    surface.points = Eigen::MatrixX2d (surface.points (kept, Eigen::all));
-    surface.masses = Eigen::VectorXd (surface.masses (kept));
-    surface.areas = Eigen::VectorXd (surface.areas (kept));
-    model.shapes = Eigen::MatrixXd (model.shapes (kept, Eigen::all));
-    surface.grid.reset();
-    return model;
+    return onPoints (std::move (model), kept);
 }
 
 /** What the units of the other keys cannot express to the last bit. */
@@ -184,6 +179,10 @@ nlohmann::ordered_json modalDeviceToJson (const ModalModel& given, const std::st
     device["covers_whole_body"] = model.coversWholeBody;
     device["modes"] = modesToJson (model);
     device["points_mm"] = std::move (points);
+
+    for (Eigen::Index i = 0; i < model.staticShare.cols(); ++i)
+        device["static_share_m_per_V"].push_back (shapeToJson (model, model.staticShare.col (i)));
+
     device["weights_kg"] = toJsonList (model.surface.masses);
     device["areas_m2"] = toJsonList (model.surface.areas);
 

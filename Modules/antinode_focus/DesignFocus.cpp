@@ -137,7 +137,9 @@ FocusDesign allocateFocus (const ModalModel& model, const FocusDescription& desc
 
     const auto choose = [&] (ModeChoice choice)
     {
-        choice.among = description.modes.among;
+        if (! choice.among)
+            choice.among = description.modes.among;
+
         auto moments = wanted;
         const auto modes = controlModes (model, choice, moments);
         return makeDesign (description, modes, std::move (moments), playback, peakVelocity);

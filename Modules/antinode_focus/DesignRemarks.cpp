@@ -77,6 +77,24 @@ void addChoices (FocusDesign& design, const ModalModel& model)
         design.choices.emplace_back ("Each mode has a second drive, which rises by 12 e-folds before the focus.");
 }
 
+/** Modes that measured points hide: left out, or controlled because somebody asked. */
+void addHiddenModes (FocusDesign& design, const ModalModel& model)
+{
+    const auto shown = static_cast<int> (resolvedModes (model));
+
+    if (shown == model.modes())
+        return;
+
+    const auto asked = std::any_of (design.controlledModes.begin(), design.controlledModes.end(),
+                                    [&] (int mode) { return mode >= shown; });
+    design.warnings.push_back (
+        "The " + std::to_string (model.points()) + " measured points are less than " + inWords (enoughPointsPerHalfWave)
+        + " per half wave of the modes above mode " + std::to_string (shown)
+        + (asked ? ": between the points nobody knows what these do, and the field is off there."
+                 : ", which are left out; 'modes' with 'maximum_frequency_Hz' controls them, too, as they are at the "
+                   "points."));
+}
+
 /** What is exceeded, by how much, and what comes of it. */
 std::string excessInWords (const LimitUse& limit, const ModalModel& model)
 {
@@ -249,6 +267,7 @@ void addRemarks (FocusDesign& design, const ModalModel& model)
     design.warnings.insert (design.warnings.end(), model.warnings.begin(), model.warnings.end());
 
     warnOfCapture (design, model);
+    addHiddenModes (design, model);
 
     const auto highest = model.frequencyHz (design.controlledModes.back());
 

@@ -1,5 +1,6 @@
 #include "ExpectedError.h"
 
+#include "Detuning.h"
 #include "Tolerance.h"
 
 #include <antinode_base/NumberText.h>
@@ -15,6 +16,7 @@ namespace
 constexpr DetuningSpread drawnSpread { 0.0015, 0.1, 0.04, 0.0015 };
 constexpr DetuningSpread measuredSpread { 1e-5, 0.001, 0, 0 };
 constexpr double drawnShapes = 0.04;
+constexpr double shapesAtPoints = 0.04; // Of drawings, and between measured points.
 constexpr int usualPoints = 6;
 
 /** How far shapes and participations together are off, of the field. */
@@ -109,5 +111,20 @@ std::optional<ExpectedError> expectedError (const ModalModel& model, const Focus
     auto expected = errorOf (model, design, model.origin);
     expected.sentence = "expect " + rangeInWords (expected) + " (" + originInWords (model, design) + ")";
     return expected;
+}
+
+ModalModel likelyDevice (const ModalModel& model, std::uint64_t number)
+{
+    auto device = detuned (model, spreadOf (model.origin), drawSeed (1, number));
+    // A factor of each mode: that of a damping ratio which nothing uses.
+    const auto factors = detuned (withoutShapes (model), { 0, shapesAtPoints, 0, 0 }, drawSeed (2, number));
+
+    for (Eigen::Index c = 0; c < device.coordinates(); ++c)
+    {
+        const auto k = c % device.modes();
+        device.participation.row (c) *= factors.dampingRatios[k] / model.dampingRatios[k];
+    }
+
+    return device;
 }
 } // namespace antinode

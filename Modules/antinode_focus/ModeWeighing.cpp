@@ -37,11 +37,15 @@ std::vector<FocusDesign> richerDesigns (const ModalModel& model, const ModeTrial
     std::vector<FocusDesign> designs;
     auto last = static_cast<int> (fewest);
 
+    const auto shown = static_cast<int> (resolvedModes (model));
+
     for (const auto multiple : triedMultiples)
     {
         ModeChoice choice;
-        choice.count = std::min (static_cast<int> (std::ceil (multiple * static_cast<double> (fewest))),
-                                 static_cast<int> (model.modes()));
+        choice.count = std::min (static_cast<int> (std::ceil (multiple * static_cast<double> (fewest))), shown);
+
+        if (shown < model.modes())
+            choice.among = shown;
 
         if (*choice.count <= last)
             break;
@@ -125,10 +129,12 @@ FocusDesign weighModes (const ModalModel& model, const ModeTrials& trials)
     if (! refusal && (! isWhole || designs.front().certificate.peakRatio <= cheapShare))
     {
         auto& design = designs.front();
-        design.weighing = isWhole ? "These modes are the fewest that capture 0.99 of the wanted field. They need at "
-                                    "most a quarter of the limit, so that more were not weighed."
-                                  : "All modes that the ceramics excite are controlled: together they capture less "
-                                    "than 0.99 of the wanted field, motion as a rigid body included.";
+        design.weighing =
+            isWhole
+                ? "These modes are the fewest that capture 0.99 of the wanted field. They need at "
+                  "most a quarter of the limit, so that more were not weighed."
+                : "All modes that the ceramics excite and the points show are controlled: together they capture less "
+                  "than 0.99 of the wanted field, motion as a rigid body included.";
         return std::move (design);
     }
 

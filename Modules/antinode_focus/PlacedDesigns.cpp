@@ -137,10 +137,10 @@ bool PlacedDesigns::suits (const WideModel& wide, const FocusDescription& focus)
     const auto& choice = focus.allocation;
     const auto isOneMoment = std::none_of (focus.targets.begin(), focus.targets.end(),
                                            [] (const auto& target) { return target.time.has_value(); });
-    return ! model.hasComplexModes() && model.coversWholeBody && isOneMoment && focus.fingers.empty() && ! focus.felt
-           && ! hasSlewLimits (model) && choice.method == AllocationMethod::exact && ! choice.window
-           && ! choice.isUndisplaced && ! choice.robust && focus.transients.growth.empty()
-           && focus.transients.cycles.empty() && suspensionModes (model) == 0;
+    return ! model.hasComplexModes() && model.coversWholeBody && resolvedModes (model) == model.modes() && isOneMoment
+           && focus.fingers.empty() && ! focus.felt && ! hasSlewLimits (model)
+           && choice.method == AllocationMethod::exact && ! choice.window && ! choice.isUndisplaced && ! choice.robust
+           && focus.transients.growth.empty() && focus.transients.cycles.empty() && suspensionModes (model) == 0;
 }
 
 PlacedDesigns::PlacedDesigns (const WideModel& wide, const FocusDescription& focus, Playback playbackToUse)

@@ -200,6 +200,13 @@ ModeSelection selectModes (const ModalModel& model, const ProjectedTarget& targe
     if (choice.order == ModeOrder::energy)
         sortByEnergy (modes, model, target);
 
+    // Nobody knows what shapes do between points that are far apart: such modes are controlled where somebody asks.
+    if (! choice.count && ! choice.captured)
+        if (const auto hidden =
+                std::stable_partition (modes.begin(), modes.end(), [&] (int k) { return k < resolvedModes (model); });
+            hidden != modes.begin())
+            modes.erase (hidden, modes.end());
+
     if (! choice.count)
         return restrictToModes (model, target,
                                 modesForCapture (model, target, modes, choice.captured.value_or (defaultCapture()),

@@ -4,6 +4,7 @@
 #include "FrequencyDrift.h"
 
 #include <antinode_model/ShapesAtPlaces.h>
+#include <antinode_numerics/Median.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,43 @@ namespace
 constexpr double minimumComparedAssurance = 0.5;
 /** What a relative difference of frequencies costs, in units of MAC: one of 10 % costs 0.2. */
 constexpr double differencePenalty = 2;
+
+/** The computed participations with the measured ones in their place: shape times participation is what was measured.
+ */
+Eigen::MatrixXd measuredParticipation (const ModalModel& computed, const IdentifiedModes& identified,
+                                       const ModeComparison& comparison)
+{
+    const auto shapes = shapesAtPlaces (computed, identified.points);
+    Eigen::MatrixXd result = computed.participation;
+    Eigen::RowVectorXd products = Eigen::RowVectorXd::Zero (result.cols()), energies = products;
+    std::vector<bool> isMeasured (static_cast<std::size_t> (computed.modes()));
+
+    for (const auto& pair : comparison.pairs)
+    {
+        const auto drawn = computed.participation.row (pair.computed);
+        const auto shape = shapes.col (pair.computed), found = identified.shapes.col (pair.identified);
+        double common = 0, whole = 0;
+
+        for (Eigen::Index p = 0; p < shape.size(); ++p)
+            if (std::isfinite (found[p]))
+            {
+                common += shape[p] * found[p];
+                whole += shape[p] * shape[p];
+            }
+
+        const Eigen::RowVectorXd measured = common / whole * identified.participation.row (pair.identified);
+        result.row (pair.computed) = measured;
+        isMeasured[static_cast<std::size_t> (pair.computed)] = true;
+        products += measured.cwiseProduct (drawn);
+        energies += drawn.cwiseAbs2();
+    }
+
+    for (Eigen::Index k = 0; k < result.rows(); ++k)
+        if (! isMeasured[static_cast<std::size_t> (k)])
+            result.row (k).array() *= (energies.array() > 0).select (products.array() / energies.array(), 1.0);
+
+    return result;
+}
 } // namespace
 
 Eigen::MatrixXd modalAssurance (const Eigen::MatrixXd& one, const Eigen::MatrixXd& other,
@@ -71,6 +109,21 @@ ModalModel transferred (const ModalModel& computed, const IdentifiedModes& ident
         update.dampingRatios[pair.computed] = identified.dampingRatios[pair.identified];
     }
 
-    return ascending (updated (computed, update));
+    auto changed = updated (computed, update);
+
+    if (identified.drive == DriveQuantity::voltage && identified.complexShapes.size() == 0
+        && identified.participation.cols() == computed.actuators() && ! comparison.pairs.empty())
+    {
+        std::vector<double> apart; // Sines of the angles between drawn and measured shapes.
+
+        for (const auto& pair : comparison.pairs)
+            apart.push_back (std::sqrt (std::max (0.0, 1 - pair.assurance)));
+
+        changed.participation = measuredParticipation (computed, identified, comparison);
+        changed.origin = { ModeSource::retuned, static_cast<int> (identified.points.rows()), median (std::move (apart)),
+                           computed.origin.scaleIsKnown };
+    }
+
+    return ascending (std::move (changed));
 }
 } // namespace antinode

@@ -37,7 +37,9 @@ struct ModeComparison
 ModeComparison compareModes (const IdentifiedModes&, const ModalModel& computed);
 
 /** A computed model with the frequencies and dampings of the identified modes paired with its own; modes without a
-   partner move with their neighbours' relative difference. Shapes and participation stay. Ascending again. [worker]
+   partner move with their neighbours' relative difference. Shapes stay. Participations are those that were measured, of
+   shapes as large as the computed ones, where as many references of voltage were measured as there are ceramics; those
+   of modes without a partner are as much larger, ceramic by ceramic. Ascending again. [worker]
    Docs/Theory.md, section 8.7. */
 ModalModel transferred (const ModalModel& computed, const IdentifiedModes&, const ModeComparison&);
 } // namespace antinode

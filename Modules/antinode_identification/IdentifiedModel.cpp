@@ -121,6 +121,16 @@ void takeShapes (ModalModel& model, const IdentifiedModes& modes, const std::vec
     model.participation << modes.complexParticipation.real(), modes.complexParticipation.imag();
 }
 
+/** Of real modes, where it is known at all points. */
+Eigen::MatrixXd staticShareOf (const IdentifiedModes& modes, const std::vector<Eigen::Index>& used)
+{
+    if (modes.staticShare.size() == 0 || modes.complexShapes.size() > 0)
+        return {};
+
+    Eigen::MatrixXd share = modes.staticShare (used, Eigen::all);
+    return share.allFinite() ? share : Eigen::MatrixXd();
+}
+
 /** How far the shape and participation of the middle mode are off, RMS over RMS: by their deviations, or by all that
    the modes leave of the responses where nobody knows these. */
 double unexplainedShare (const IdentifiedModes& modes, const std::vector<Eigen::Index>& used)
@@ -174,6 +184,7 @@ ModalModel toModalModel (const IdentifiedModes& modes, const MappedSurface& mapp
     model.angularFrequencies = modes.angularFrequencies;
     model.dampingRatios = modes.dampingRatios;
     takeShapes (model, modes, used);
+    model.staticShare = staticShareOf (modes, used);
     model.ceramics = makeCeramics (modes, mapped);
     model.fullScaleVoltage = mapped.fullScaleVoltage;
     model.surface.masses = mapped.masses.size() > 0

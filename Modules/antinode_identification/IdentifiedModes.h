@@ -89,6 +89,7 @@ struct IdentifiedModes
     ShapeScaling scaling = ShapeScaling::convention;
     std::string scalingReason; ///< Why this scaling, as a sentence.
     std::vector<ResidualTerm> residuals;
+    Eigen::MatrixXd staticShare; ///< N_p x N_b: as ModalRest has it; empty where peaks were picked.
     std::vector<StabilisationPoint> stabilisation;
     std::vector<PoleCandidate> candidates; ///< Those among which IdentificationOptions::selected chooses; ascending.
     double minimumFrequency = 0, maximumFrequency = 0; ///< Hz: the lines that were used.

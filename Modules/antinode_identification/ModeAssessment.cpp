@@ -1,5 +1,6 @@
 #include "ModeAssessment.h"
 
+#include <antinode_model/ModalModel.h>
 #include <antinode_numerics/ComplexKernels.h>
 #include <antinode_numerics/Decompositions.h>
 
@@ -126,17 +127,6 @@ void warnOfMode (IdentifiedModes& modes, Eigen::Index k)
         if (other >= 0 && other < modes.modes())
             warnOfNeighbour (modes, k, other);
 }
-
-/** Points of one half wave of the most rippled shape on a line, or of the wave that as many modes have in the plane. */
-double pointsPerHalfWave (const IdentifiedModes& modes)
-{
-    const auto spreadX = modes.points.col (0).maxCoeff() - modes.points.col (0).minCoeff();
-    const auto spreadY = modes.points.col (1).maxCoeff() - modes.points.col (1).minCoeff();
-    const auto halfWaves = spreadX > 0 && spreadY > 0 ? std::sqrt (static_cast<double> (modes.modes()))
-                                                      : static_cast<double> (modes.modes());
-    const auto points = static_cast<double> (modes.points.rows());
-    return (spreadX > 0 && spreadY > 0 ? std::sqrt (points) : points) / halfWaves;
-}
 } // namespace
 
 Eigen::VectorXd signalToNoise (const FitState& state, double variance, double ridge)
@@ -216,7 +206,7 @@ void addWarnings (IdentifiedModes& modes)
     for (Eigen::Index k = 0; k < modes.modes(); ++k)
         warnOfMode (modes, k);
 
-    if (modes.points.rows() > 1 && pointsPerHalfWave (modes) < 2.5)
+    if (modes.points.rows() > 1 && pointsPerHalfWave (modes.points, modes.modes()) < enoughPointsPerHalfWave)
         modes.warnings.emplace_back (
             "there may be less than 2.5 points per half wave of the highest modes: points on nodal lines hide modes");
 

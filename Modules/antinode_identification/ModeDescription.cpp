@@ -162,7 +162,9 @@ IdentifiedModes describeModes (const NormalModeFit& fit, const FreeResidues& res
                                   ? addComplexModes (result, residues, data)
                                   : fitCoefficients (fit.state);
     describeErrors (result, data, fitErrors (data, residues.basis, coefficients, modes.delay));
-    result.modalReconstructionError = modalError (result, data);
+    auto rest = modalRest (result, data);
+    result.modalReconstructionError = rest.error;
+    result.staticShare = std::move (rest.staticShare);
     sortModes (result);
     scaleShapes (result, options.pointMasses);
     addWarnings (result);

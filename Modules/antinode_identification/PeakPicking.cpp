@@ -158,7 +158,7 @@ IdentifiedModes pickPeaks (const FrequencyResponses& responses, const Identifica
     result.minimumFrequency = data.omega[0] / (2 * std::numbers::pi);
     result.maximumFrequency = data.omega[data.lines() - 1] / (2 * std::numbers::pi);
     scaleShapes (result, options.pointMasses);
-    result.reconstructionError = modalError (result, data);
+    result.reconstructionError = modalRest (result, data).error;
     result.modalReconstructionError = result.reconstructionError;
     result.measuredReconstructionError = result.reconstructionError;
     return result;

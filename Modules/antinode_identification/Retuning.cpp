@@ -124,6 +124,10 @@ RetunedModel retuned (const ModalModel& model, const Indices& modes, const Known
 
     auto changed = updated (model, update);
     changed.participation = participation;
+
+    if (changed.staticShare.size() > 0)
+        changed.staticShare *= fit.participationScales.asDiagonal();
+
     result.found = update.isKnown;
     result.frequencyChanges = (changed.angularFrequencies.array() / model.angularFrequencies.array() - 1).matrix();
     result.dampingChanges = (changed.dampingRatios.array() / model.dampingRatios.array() - 1).matrix();

@@ -188,7 +188,11 @@ ModalModel solveCached (const DeviceDescription& device, std::optional<int> mode
                         SolvedShapes shapes)
 {
     if (const auto* const measured = std::get_if<MeasuredDevice> (&device.body))
-        return measuredModel (*measured, solveCached (*measured->drawing, {}, cache));
+    {
+        const auto hasShare = shapes == SolvedShapes::withStaticShare && hasStaticShare (device);
+        const auto drawn = solveCached (*measured->drawing, {}, cache, hasShare ? shapes : SolvedShapes::modes);
+        return measuredModel (*measured, drawn, hasShare ? drawn.actuators() : 0);
+    }
 
     if (cache != nullptr)
         if (auto found = cache->find (device, modeCount, shapes))

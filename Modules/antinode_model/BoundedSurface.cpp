@@ -2,8 +2,10 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
+#include <antinode_outline/OutlineShapes.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace antinode
@@ -30,5 +32,22 @@ Surface boundedBy (Surface surface, SurfaceBoundary boundary)
     surface.yMaximum = std::max (surface.yMaximum, largest.y());
     surface.boundary = std::move (boundary);
     return surface;
+}
+
+std::optional<SurfaceBoundary> boundaryOf (const Surface& surface)
+{
+    if (surface.boundary || surface.kind == SurfaceKind::line)
+        return surface.boundary;
+
+    const Eigen::Vector2d least (surface.xMinimum, surface.yMinimum), largest (surface.xMaximum, surface.yMaximum);
+    const auto path = rectanglePath ((least + largest) / 2, largest - least, 0, {}, 1);
+    const auto& held = surface.held;
+    SurfaceBoundary boundary { { { path } }, {} };
+
+    for (const auto& piece : path)
+        if (std::array { held.bottom, held.right, held.top, held.left }[static_cast<std::size_t> (piece.edge - 1)])
+            boundary.held.push_back (piece);
+
+    return boundary;
 }
 } // namespace antinode

@@ -153,6 +153,44 @@ void requireKnownScale (const ModalModel& model, const std::string& what)
                  + " need the true one; identify it again with 'antinode identify --mass-kg', or with a driving point");
 }
 
+double pointsPerHalfWave (const Eigen::MatrixX2d& points, Eigen::Index mode)
+{
+    const auto spread = [&] (Eigen::Index axis) { return points.col (axis).maxCoeff() - points.col (axis).minCoeff(); };
+    const auto share = static_cast<double> (points.rows()) / static_cast<double> (mode);
+    return spread (0) > 0 && spread (1) > 0 ? std::sqrt (share) : share;
+}
+
+Eigen::Index resolvedModes (const ModalModel& model)
+{
+    if (model.origin.source != ModeSource::measured || model.points() < 2)
+        return model.modes();
+
+    Eigen::Index count = 0;
+
+    while (count < model.modes() && pointsPerHalfWave (model.surface.points, count + 1) >= enoughPointsPerHalfWave)
+        ++count;
+
+    return count;
+}
+
+ModalModel onPoints (ModalModel model, const std::vector<Eigen::Index>& points)
+{
+    auto& surface = model.surface;
+    const auto rows = [&points] (Eigen::MatrixXd& matrix)
+    {
+        if (matrix.rows() > 0)
+            matrix = Eigen::MatrixXd (matrix (points, Eigen::all));
+    };
+    surface.points = Eigen::MatrixX2d (surface.points (points, Eigen::all));
+    surface.masses = Eigen::VectorXd (surface.masses (points));
+    surface.areas = Eigen::VectorXd (surface.areas (points));
+    surface.grid.reset();
+    rows (model.shapes);
+    rows (model.slopes);
+    rows (model.staticShare);
+    return model;
+}
+
 void validate (const ModalModel& model)
 {
     const auto modes = model.modes();
@@ -175,6 +213,10 @@ void validate (const ModalModel& model)
                  && surface.areas.minCoeff() >= 0 && surface.masses.sum() > 0 && surface.areas.sum() > 0,
              model, "has weights that are negative, not finite or all zero");
 
+    require (model.staticShare.size() == 0
+                 || (model.staticShare.rows() == points && model.staticShare.cols() == model.actuators()
+                     && model.staticShare.allFinite() && ! model.hasComplexModes()),
+             model, "needs one static share for each point and ceramic, of real modes");
     require (model.slopes.size() == 0 || model.slopes.cols() == coordinates, model,
              "needs one slope for each point and mode, real or complex as its shapes");
     require (! (model.hasComplexModes() && model.coversWholeBody), model,

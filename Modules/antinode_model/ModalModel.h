@@ -28,8 +28,10 @@ struct ModalModel
     Eigen::MatrixXd shapes;             ///< N_p x N_c: phi_k normal to the surface, kg^-1/2.
     Eigen::MatrixXd slopes;             ///< N_p x N_c: dphi_k/dx, kg^-1/2 / m. On a line only, else empty.
     Eigen::MatrixXd participation;      ///< N_c x N_b: alpha_ki, N kg^-1/2 / V.
-    std::vector<Ceramic> ceramics;      ///< N_b
-    double fullScaleVoltage = 1;        ///< The voltage of a sample of 1.0 in files and at the outputs, V.
+    Eigen::MatrixXd staticShare;   ///< N_p x N_b: how far modes beyond these bend it, far below them, m/V; measured,
+                                   ///< else empty: solveWithStaticShare has it of plates.
+    std::vector<Ceramic> ceramics; ///< N_b
+    double fullScaleVoltage = 1;   ///< The voltage of a sample of 1.0 in files and at the outputs, V.
     bool coversWholeBody =
         true; ///< False if shapes are measured on a part only; fields are then projected by least squares.
     int rigidBodyModes = 0;            ///< Number of rigid-body modes (frequency 0) in addition to the flexible modes.
@@ -89,6 +91,19 @@ void requireRealModes (const ModalModel&, const std::string& what);
     @throws InputError  naming the device and what gives it the size
     [any] Docs/Theory.md, section 8.6. */
 void requireKnownScale (const ModalModel&, const std::string& what);
+
+/** Measured points in one half wave of the mode of such a number: of a line, or of the waves that as many modes have in
+    the plane. [any] */
+double pointsPerHalfWave (const Eigen::MatrixX2d& points, Eigen::Index mode);
+
+/** Below it points between which nothing is known hide what a shape does. */
+inline constexpr double enoughPointsPerHalfWave = 2.5;
+
+/** How many modes, the lowest, the points of a measured device show; all modes of others. [any] */
+Eigen::Index resolvedModes (const ModalModel&);
+
+/** The model on some of its points, in their order; without a grid, which they no longer fill. [any] */
+ModalModel onPoints (ModalModel, const std::vector<Eigen::Index>& points);
 
 /** Checks a model: sizes agree, numbers are finite, 0 < xi < 1, frequencies ascend and are positive; complex shapes do
     not claim to be orthogonal.

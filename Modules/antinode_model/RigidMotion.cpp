@@ -146,7 +146,7 @@ int suspensionModes (const ModalModel& model)
 
 double rigidEnergy (const ModalModel& model, const Eigen::VectorXd& field, const Eigen::VectorXd& modalVelocities)
 {
-    if (model.hasComplexModes() || ! model.coversWholeBody)
+    if (model.hasComplexModes() || ! standsForWholeBody (model) || ! model.origin.scaleIsKnown)
         return 0;
 
     const auto suspended = suspensionModes (model);

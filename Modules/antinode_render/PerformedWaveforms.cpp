@@ -9,7 +9,9 @@
 #include <antinode_felt/FeltDisplacement.h>
 #include <antinode_felt/FeltMotion.h>
 #include <antinode_fingers/LoadedModel.h>
+#include <antinode_focus/ExpectedError.h>
 #include <antinode_live/LiveTracks.h>
+#include <antinode_numerics/EvaluatedCases.h>
 #include <antinode_tracks/TrackMemory.h>
 
 #include <nlohmann/json.hpp>
@@ -83,6 +85,35 @@ void score (PerformedWaveforms& performed, const SkinThreshold& threshold)
     performed.felt = feltByFingers (performed, threshold);
 }
 
+/** What the voltages do on devices that the surface may stand for: mean energies. */
+std::vector<double> expectedSuppression (const PerformedWaveforms& performed, const ModalModel& judge)
+{
+    constexpr std::size_t draws = 4;
+    const auto& design = performed.design;
+    const auto fingers = restingFingers (design.description);
+    const std::function<TrackScores (std::size_t)> scoreOn = [&] (std::size_t number)
+    {
+        const auto device = likelyDevice (judge, number);
+        return scoreTracks (playTracks (fingers.empty() ? device : loadedModel (device, fingers), design.description,
+                                        design.voltages, listening),
+                            design.wanted, design.description.band);
+    };
+    const auto scores = evaluateCases (draws, scoreOn);
+    std::vector<double> expected;
+
+    for (std::size_t p = 0; p < performed.scores.fingers.size(); ++p)
+    {
+        double energy = 0;
+
+        for (const auto& score : scores)
+            energy += std::pow (10.0, score.suppression (p) / 10) / draws;
+
+        expected.push_back (10 * std::log10 (energy));
+    }
+
+    return expected;
+}
+
 /** @throws InputError  for voltages that cannot be judged */
 void requireJudgeable (const ModalModel& judge, const WaveformsDescription& description, double sampleRate,
                        const Eigen::MatrixXd& voltages)
@@ -129,6 +160,9 @@ nlohmann::ordered_json fingerJson (const PerformedWaveforms& performed, std::siz
                                   { "reached_peak_um", score.reachedPeak * micro },
                                   { "suppression_dB", performed.scores.suppression (p) },
                                   { "suppression_all_frequencies_dB", performed.scores.wideSuppression (p) } };
+
+    if (! performed.expected.empty())
+        json["expected_suppression_dB"] = performed.expected[p];
 
     if (! points[p].path.empty())
         json["path"] = pathJson (points[p].path);
@@ -182,6 +216,11 @@ PerformedWaveforms performWaveforms (const ModalModel& known, const ModalModel& 
 
     auto performed = performDesigned (judge, std::move (design), settings.threshold);
     performed.correction = std::move (correction);
+
+    if (progress)
+        progress ("What to expect of the device", 0.9);
+
+    performed.expected = expectedSuppression (performed, judge);
     return performed;
 }
 

@@ -28,6 +28,8 @@ struct PerformedWaveforms
     FocusPower power;                          ///< On the surface without fingers; repeated: one play after the other.
     std::optional<TrackCorrection> correction; ///< Where recorded passes were given.
     std::optional<UndoneLags> undone; ///< What is asked for so that ceramics get the designed voltages, where they lag.
+    std::vector<double> expected; ///< dB: TrackScores::suppression of each finger to expect on the device itself; empty
+                                  ///< where nobody estimated it.
     std::optional<double> likeness; ///< Of voltages from elsewhere: how alike reached and wanted motions are, -1 to 1.
 };
 

@@ -16,10 +16,10 @@ struct IdentificationResult
     FrequencyResponses measured;
     std::vector<std::string> pointNames;
     IdentifiedModes modes;
-    ModalModel model;                         ///< The device with these modes.
-    std::vector<std::string> remarks;         ///< What was assumed when files were read.
-    std::optional<ModeComparison> comparison; ///< With a computed device.
-    std::optional<ModalModel> computed;
+    ModalModel model;                           ///< The device with these modes.
+    std::vector<std::string> remarks;           ///< What was assumed when files were read.
+    std::optional<ModeComparison> comparison;   ///< With a computed device.
+    std::optional<ModalModel> computed;         ///< What was measured, as it is drawn: compared with, or the outline's.
     std::optional<DeviceDescription> described; ///< What was computed.
 };
 

@@ -17,6 +17,7 @@ struct Extent
         surface.kind = SurfaceKind::plate;
         surface.xMaximum = plate.lengthX;
         surface.yMaximum = plate.lengthY;
+        surface.held = { isHeld (plate.left), isHeld (plate.right), isHeld (plate.bottom), isHeld (plate.top) };
         return surface;
     }
 

@@ -139,6 +139,34 @@ std::vector<MeasuredCeramic> ceramicChanges (const MeasuredDevice* measuredBefor
     return ceramics;
 }
 
+/** How much larger each ceramic's participations are than drawn. N_b */
+Eigen::RowVectorXd gainsOf (const Eigen::MatrixXd& measured, const Eigen::MatrixXd& drawn)
+{
+    const Eigen::RowVectorXd energies = drawn.colwise().squaredNorm();
+    return (energies.array() > 0)
+        .select (measured.cwiseProduct (drawn).colwise().sum().array() / energies.array(), 1.0)
+        .matrix();
+}
+
+/** Behind a device's modes the last shapes of its drawing. */
+void appendShare (ModalModel& model, const ModalModel& drawn, const std::vector<Eigen::Index>& order,
+                  Eigen::Index share)
+{
+    const auto modes = model.modes(), all = modes + share;
+    const Eigen::RowVectorXd gains = gainsOf (model.participation, drawn.participation (order, Eigen::all));
+    const auto append = [&] (Eigen::VectorXd& values, const Eigen::VectorXd& more)
+    {
+        values.conservativeResize (all);
+        values.tail (share) = more.tail (share);
+    };
+    const auto highest = model.angularFrequencies[modes - 1];
+    append (model.angularFrequencies, drawn.angularFrequencies.cwiseMax (highest));
+    append (model.dampingRatios, drawn.dampingRatios);
+    model.participation.conservativeResize (all, Eigen::NoChange);
+    model.participation.bottomRows (share) = drawn.participation.bottomRows (share) * gains.asDiagonal();
+    model.shapes.conservativeResize (Eigen::NoChange, all);
+    model.shapes.rightCols (share) = drawn.shapes.rightCols (share);
+}
 } // namespace
 
 void sortByFrequency (std::vector<MeasuredMode>& modes)
@@ -148,7 +176,7 @@ void sortByFrequency (std::vector<MeasuredMode>& modes)
                       { return one.angularFrequency < other.angularFrequency; });
 }
 
-ModalModel measuredModel (const MeasuredDevice& measured, const ModalModel& drawn)
+ModalModel measuredModel (const MeasuredDevice& measured, const ModalModel& drawn, Eigen::Index share)
 {
     requireModes (measured, drawn);
     auto model = drawn;
@@ -192,6 +220,9 @@ ModalModel measuredModel (const MeasuredDevice& measured, const ModalModel& draw
         ceramic.slewLimit = measured.ceramics[i].slewLimit.value_or (ceramic.slewLimit);
         ceramic.lag = measured.ceramics[i].lag;
     }
+
+    if (share > 0 && parts == 1)
+        appendShare (model, drawn, order, share);
 
     validate (model);
     return model;

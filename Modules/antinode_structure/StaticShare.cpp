@@ -5,11 +5,14 @@
 #include "DescriptionChecks.h"
 #include "ElementChain.h"
 #include "FrequencyCorrection.h"
+#include "MeasuredModel.h"
 #include "OutlinedModel.h"
 #include "SolvedPlate.h"
 
 #include <antinode_base/Watch.h>
 #include <antinode_numerics/RitzPairs.h>
+
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +69,38 @@ Eigen::MatrixXd balancedDeflections (const PlateProblem& problem, int rigidBodyM
     return x;
 }
 
+/** The measured share as one more mode per ceramic at most, behind the others: the sum of shape times participation
+   over the squared frequency is the share. */
+ModalModel measuredWithStaticShare (ModalModel model)
+{
+    constexpr double behind = 2, relative = 1e-9;
+    // As large as modes of the same mass are: about so much do fingers move them.
+    const auto size = std::sqrt (static_cast<double> (model.points()) / model.surface.masses.sum());
+    const Eigen::JacobiSVD<Eigen::MatrixXd> parts (model.staticShare, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    const auto& values = parts.singularValues();
+    const auto before = model.modes();
+    const auto count = (values.array() > relative * values[0]).count();
+    const auto all = before + count;
+    const auto frequency = behind * model.angularFrequencies[before - 1];
+    model.angularFrequencies.conservativeResize (all);
+    model.dampingRatios.conservativeResize (all);
+    model.shapes.conservativeResize (Eigen::NoChange, all);
+    model.participation.conservativeResize (all, Eigen::NoChange);
+    model.frequencyErrors.resize (0);
+
+    for (Eigen::Index j = 0; j < count; ++j)
+    {
+        const auto k = before + j;
+        model.angularFrequencies[k] = frequency;
+        model.dampingRatios[k] = model.dampingRatios[before - 1];
+        model.shapes.col (k) = size * parts.matrixU().col (j);
+        model.participation.row (k) = frequency * frequency / size * values[j] * parts.matrixV().col (j).transpose();
+    }
+
+    model.staticShare.resize (0, 0);
+    return model.slopes.size() > 0 ? withSplineSlopes (std::move (model)) : model;
+}
+
 ModalModel alignedWithStaticShare (const std::string& name, const PlateDescription& plate, std::optional<int> modeCount)
 {
     requireSolvable (plate);
@@ -116,7 +151,11 @@ bool hasStaticShare (const DeviceDescription& device)
     {
         using Body = std::decay_t<decltype (body)>;
 
-        if constexpr (std::is_same_v<Body, PlateDescription> || std::is_same_v<Body, OutlinedPlate>)
+        if constexpr (std::is_same_v<Body, MeasuredDevice>)
+            return hasStaticShare (*body.drawing);
+        else if constexpr (std::is_same_v<Body, ModalModel>)
+            return body.staticShare.size() > 0;
+        else if constexpr (std::is_same_v<Body, PlateDescription> || std::is_same_v<Body, OutlinedPlate>)
             return ! body.common.ceramics.empty();
         else
             return false;
@@ -128,6 +167,15 @@ ModalModel solveWithStaticShare (const DeviceDescription& device, std::optional<
 {
     if (! hasStaticShare (device))
         return solveStructure (device, modeCount);
+
+    if (const auto* const measured = std::get_if<ModalModel> (&device.body))
+        return measuredWithStaticShare (*measured);
+
+    if (const auto* const measured = std::get_if<MeasuredDevice> (&device.body))
+    {
+        const auto drawn = solveWithStaticShare (*measured->drawing, {});
+        return measuredModel (*measured, drawn, drawn.actuators());
+    }
 
     const auto* const outlined = std::get_if<OutlinedPlate> (&device.body);
 

@@ -16,11 +16,12 @@ Eigen::MatrixXd staticDeflections (const PlateDescription&, const PlateSolution&
     [worker] Docs/Theory.md, section 1.8. */
 PlateSolution withStaticShare (const PlateDescription&, PlateSolution);
 
-/** Whether a device has a static share behind its modes: plates with ceramics, of any outline. [any] */
+/** Whether a device has a static share behind its modes: plates with ceramics, of any outline, also retuned ones, and
+    devices of which it was measured. [any] */
 bool hasStaticShare (const DeviceDescription&);
 
-/** A device as solveStructure gives it, with the static share of all higher modes where it is a plate; other devices
-    have their modes alone.
+/** A device as solveStructure gives it, with the static share of all higher modes where it is a plate or was measured;
+    other devices have their modes alone.
     @throws InputError, Cancelled  as solveStructure [worker] */
 ModalModel solveWithStaticShare (const DeviceDescription&, std::optional<int> modeCount);
 } // namespace antinode

@@ -3,8 +3,10 @@
 #include <antinode_base/InputError.h>
 #include <antinode_drawing/Drawing.h>
 #include <antinode_library/Inputs.h>
+#include <antinode_model/BoundedSurface.h>
 
 #include <filesystem>
+#include <variant>
 
 namespace antinode
 {
@@ -12,9 +14,14 @@ void addOutlineOption (CLI::App& command, std::string& outline)
 {
     command
         .add_option ("--outline", outline,
-                     "Where the surface ends: a plate with an outline by embedded name or .json file, or a drawing "
-                     "(.svg, .dxf)")
+                     "Where the surface ends: a plate by embedded name or .json file, or a drawing (.svg, .dxf)")
         ->type_name ("FILE");
+}
+
+bool isDrawingFile (const std::string& outline)
+{
+    const auto extension = std::filesystem::path (outline).extension();
+    return extension == ".svg" || extension == ".dxf";
 }
 
 std::optional<SurfaceBoundary> boundaryFrom (const std::string& outline)
@@ -22,16 +29,16 @@ std::optional<SurfaceBoundary> boundaryFrom (const std::string& outline)
     if (outline.empty())
         return {};
 
-    const auto extension = std::filesystem::path (outline).extension();
-
-    if (extension == ".svg" || extension == ".dxf")
+    if (isDrawingFile (outline))
         return SurfaceBoundary { readOutlineFile (outline, {}), {} };
 
-    auto surface = deviceExtent (loadDevice (outline, {}));
+    const auto device = loadDevice (outline, {});
+    const auto surface = deviceExtent (device);
 
-    if (! surface.boundary)
-        throw InputError ("--outline " + outline, "is a device without an outline; allowed: one with it, or a drawing");
+    if (surface.kind == SurfaceKind::line || (! surface.boundary && std::holds_alternative<ModalModel> (device.body)))
+        throw InputError ("--outline " + outline,
+                          "is a device that does not say where a surface ends; allowed: a plate, or a drawing");
 
-    return std::move (surface.boundary);
+    return boundaryOf (surface);
 }
 } // namespace antinode

@@ -8,7 +8,9 @@
 #include <antinode_documents/UniversalModes.h>
 #include <antinode_identification/IdentifiedModel.h>
 #include <antinode_identification/MeasuredQuantity.h>
+#include <antinode_library/Inputs.h>
 #include <antinode_library/Library.h>
+#include <antinode_model/BoundedSurface.h>
 #include <antinode_reports/IdentificationDiagram.h>
 #include <antinode_text/NaturalOrder.h>
 #include <antinode_text/OutputFolder.h>
@@ -70,8 +72,8 @@ ModalModel makeDevice (IdentifiedModes modes, const IdentifyOptions& options, co
     surface.masses = masses;
     surface.boundary = boundaryFrom (options.outline);
 
-    if (! surface.boundary && computed)
-        surface.boundary = computed->surface.boundary;
+    if (! surface.boundary && computed && (computed->surface.boundary || computed->surface.grid))
+        surface.boundary = boundaryOf (computed->surface);
 
     surface.voltageLimit = options.voltageLimit;
     surface.fullScaleVoltage =
@@ -154,11 +156,13 @@ IdentificationResult identifyFiles (const IdentifyOptions& options, const std::o
     auto measurement = readFiles (options);
     auto search = toIdentificationOptions (options, measurement.responses.points.rows());
     IdentificationResult result;
+    result.described = against || options.outline.empty() || isDrawingFile (options.outline)
+                           ? against
+                           : std::optional (loadDevice (options.outline, {}));
 
-    if (against)
+    if (result.described)
     {
-        result.computed = solveDevice (*against, std::nullopt, options.usesCache);
-        result.described = against;
+        result.computed = solveDevice (*result.described, std::nullopt, options.usesCache);
 
         if (! options.mass)
             search.pointMasses = massesOfDrawing (*result.computed, measurement);
@@ -171,7 +175,7 @@ IdentificationResult identifyFiles (const IdentifyOptions& options, const std::o
     result.remarks = std::move (measurement.remarks);
     result.model = makeDevice (result.modes, options, search.pointMasses, result.computed, result.remarks);
 
-    if (result.computed)
+    if (against)
         result.comparison = compareModes (result.modes, *result.computed);
 
     result.measured = asQuantity (std::move (measurement.responses), result.modes.integrations);
@@ -213,10 +217,11 @@ void writeIdentified (const IdentificationResult& result, const IdentifyOptions&
         files.emplace_back (options.universalFile, encodeUniversalFile (modeSets (result.model)));
 
     if (! options.transferFile.empty())
-        files.emplace_back (options.transferFile,
-                            changedDeviceText (*result.described, *result.computed,
-                                               transferred (*result.computed, result.modes, *result.comparison),
-                                               "Computed, with measured frequencies and damping ratios"));
+        files.emplace_back (
+            options.transferFile,
+            changedDeviceText (*result.described, *result.computed,
+                               transferred (*result.computed, result.modes, *result.comparison),
+                               "Computed, with measured frequencies, damping ratios and participations"));
 
     if (! options.deviceFile.empty())
         files.emplace_back (options.deviceFile, identifiedDeviceText (result));

@@ -106,7 +106,7 @@ void addOutputOptions (CLI::App& command, IdentifyOptions& options)
         ->type_name ("DEVICE");
     command
         .add_option ("--transfer", options.transferFile,
-                     "Writes the computed device with the measured frequencies and damping ratios")
+                     "Writes the computed device with the measured frequencies, damping ratios and participations")
         ->type_name ("DEVICE.json");
     addOutlineOption (command, options.outline);
     command.add_option ("--name", options.name, "Name of the device")->capture_default_str();

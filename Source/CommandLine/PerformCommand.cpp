@@ -45,18 +45,24 @@ void printPerformed (const PerformOptions& options, const PerformedWaveforms& pe
 {
     const auto& description = performed.design.description;
     std::printf ("%s on %s\n", description.name.c_str(), performed.judge.name.c_str());
-    std::printf ("  %-20s %9s %11s %12s %10s\n", "finger", "wanted/um", "reached/um", "error/dB", "felt/dB SL");
+    std::printf ("  %-20s %9s %11s %12s %10s %10s\n", "finger", "wanted/um", "reached/um", "error/dB", "device/dB",
+                 "felt/dB SL");
 
     for (std::size_t p = 0; p < performed.scores.fingers.size(); ++p)
     {
         const auto& score = performed.scores.fingers[p];
-        std::printf ("  %-20s %9.3f %11.3f %12.1f %10.1f\n", fingerName (description, p).c_str(),
+        const auto device = performed.expected.empty() ? "-" : fixedText (performed.expected[p], 1);
+        std::printf ("  %-20s %9.3f %11.3f %12.1f %10s %10.1f\n", fingerName (description, p).c_str(),
                      score.wantedPeak * micro, score.reachedPeak * micro, performed.scores.suppression (p),
-                     performed.felt.targets[p].level);
+                     device.c_str(), performed.felt.targets[p].level);
     }
 
     std::printf ("  error: what a finger should not feel over the strongest track, %s to %s Hz\n",
                  inWords (description.band.lower).c_str(), inWords (description.band.upper).c_str());
+
+    if (! performed.expected.empty())
+        std::printf ("  device: the error to expect on the device itself, by where its modes come from\n");
+
     if (const auto& correction = performed.correction)
     {
         for (std::size_t i = 0; i < correction->errors.size(); ++i)

@@ -57,6 +57,7 @@ ModalModel irregularModel (SurfaceKind kind)
     model.dampingRatios = Eigen::VectorXd::NullaryExpr (modes, [&] { return 0.1 * next(); });
     model.shapes = Eigen::MatrixXd::NullaryExpr (points, modes, next);
     model.participation = Eigen::MatrixXd::NullaryExpr (modes, ceramics, next);
+    model.staticShare = Eigen::MatrixXd::NullaryExpr (points, ceramics, next) * 1e-9;
     model.frequencyErrors = Eigen::VectorXd::NullaryExpr (modes, next);
     model.fullScaleVoltage = 200;
     model.rigidBodyModes = 2;
@@ -94,6 +95,7 @@ void checkSame (const ModalModel& a, const ModalModel& b)
     CHECK (a.slopes.rows() == b.slopes.rows());
     CHECK (a.slopes.reshaped() == b.slopes.reshaped());
     CHECK (a.participation == b.participation);
+    CHECK (a.staticShare == b.staticShare);
     CHECK (a.frequencyErrors == b.frequencyErrors);
     CHECK (a.fullScaleVoltage == b.fullScaleVoltage);
     CHECK (a.coversWholeBody == b.coversWholeBody);

@@ -2,6 +2,8 @@
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/ExpectedError.h>
+#include <antinode_identification/Identification.h>
+#include <antinode_identification/IdentifiedModel.h>
 #include <antinode_identification/Retuning.h>
 #include <antinode_model/ShapeInterpolation.h>
 #include <antinode_structure/DeviceDescription.h>
@@ -316,4 +318,28 @@ TEST_CASE ("What is said of a design holds on the plate of solid elements", "[st
             }
 
     CHECK (10 * within >= 9 * all);
+}
+
+TEST_CASE ("A measured plate has the static share of the modes above the band", "[identification][solid]")
+{
+    constexpr double highest = 9300; // Hz
+    std::vector<Eigen::Index> numbers;
+
+    for (Eigen::Index number = 0; number < 117; number += 5)
+        numbers.push_back (number);
+
+    IdentificationOptions options;
+    options.maximumFrequency = highest;
+    const auto identified = identify (responsesOfSolid (numbers), options);
+    const auto model = toModalModel (identified, {});
+    const auto& solid = solidPlates()["cases"][0];
+    const Eigen::VectorXd omega = 2 * std::numbers::pi * vectorOf (solid["frequency_Hz"]);
+    const auto above = (omega.array() > 2 * std::numbers::pi * highest).cast<double>();
+    const Eigen::MatrixXd shapes = rowsOf (solid["shape"]) (Eigen::all, numbers).transpose();
+    const Eigen::MatrixXd share =
+        shapes * ((above / omega.array().square()).matrix().asDiagonal() * rowsOf (solid["participation"]));
+    CHECK ((model.staticShare - share).norm() < 0.05 * share.norm());
+
+    // What the modes are off by is known from what they leave, not from the modes above.
+    CHECK (model.origin.unexplained < 0.01);
 }

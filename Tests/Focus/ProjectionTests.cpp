@@ -168,3 +168,24 @@ TEST_CASE ("On a plate the modal velocities of a target are its Fourier coeffici
         CHECK (target.modalVelocities[mode] == Approx (expected).margin (1e-9));
     }
 }
+
+TEST_CASE ("Modes that measured points hide are controlled only where somebody asks", "[focus]")
+{
+    Eigen::MatrixX2d grid (96, 2);
+
+    for (Eigen::Index p = 0; p < grid.rows(); ++p)
+        grid.row (p) << static_cast<double> (p / 8), static_cast<double> (p % 8);
+
+    // 15 modes in the plane have waves of which 96 points are 2.5 a half wave, 4 modes those of 11 points on a line.
+    CHECK (pointsPerHalfWave (grid, 15) > enoughPointsPerHalfWave);
+    CHECK (pointsPerHalfWave (grid, 16) < enoughPointsPerHalfWave);
+
+    auto model = sineModel (8, 11);
+    const auto target = projectField (model, model.shapes * Eigen::VectorXd::Ones (8));
+    CHECK (resolvedModes (model) == 8);
+    CHECK (selectModes (model, target, {}).modes.size() == 8);
+    model.origin = { ModeSource::measured, 11, 0.01, true };
+    CHECK (resolvedModes (model) == 4);
+    CHECK (selectModes (model, target, {}).modes == std::vector<int> { 0, 1, 2, 3 });
+    CHECK (selectModes (model, target, { 8, ModeOrder::frequency, {}, {}, {} }).modes.size() == 8);
+}

@@ -76,6 +76,7 @@ inline bool isSameToTheBit (const ModalModel& a, const ModalModel& b)
            && isSameToTheBit (a.angularFrequencies, b.angularFrequencies)
            && isSameToTheBit (a.dampingRatios, b.dampingRatios) && isSameToTheBit (a.shapes, b.shapes)
            && isSameToTheBit (a.slopes, b.slopes) && isSameToTheBit (a.participation, b.participation)
+           && isSameToTheBit (a.staticShare, b.staticShare)
            && std::equal (a.ceramics.begin(), a.ceramics.end(), b.ceramics.begin(), b.ceramics.end(),
                           [] (const auto& left, const auto& right) { return isSameToTheBit (left, right); })
            && isSameToTheBit (a.fullScaleVoltage, b.fullScaleVoltage) && a.coversWholeBody == b.coversWholeBody
