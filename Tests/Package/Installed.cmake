@@ -47,6 +47,8 @@ endif()
 
 file (GLOB_RECURSE installed RELATIVE ${FOLDER} ${FOLDER}/*)
 list (FILTER installed EXCLUDE REGEX "^share/doc/antinode/Docs/")
+# A package of its own, where the same folder was built for Python, too.
+list (FILTER installed EXCLUDE REGEX "python3")
 # JUCE writes it for plug-ins with an editor.
 list (FILTER installed EXCLUDE REGEX "^lib/lv2/Antinode( Plate| Touch)? [0-9]+.lv2/ui.ttl$")
 set (missing ${expected})
