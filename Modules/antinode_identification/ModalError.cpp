@@ -4,6 +4,8 @@
 
 #include <antinode_base/Watch.h>
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

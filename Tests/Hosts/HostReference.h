@@ -43,7 +43,7 @@ inline FocusDocument combFocus()
 {
     return readFocusDocument (
         nlohmann::json::parse (R"({ "schema": "antinode.focus/1", "name": "comb", "focus_time_ms": 25,
-            "targets": [{ "shape": "bump", "x_mm": 23, "width_mm": 40, "peak_velocity_mm_s": 200 }],
+            "targets": [{ "shape": "bump", "x_mm": 23, "width_mm": 40, "peak_velocity_mm_s": 60 }],
             "probes_mm": [[23, 0], [-40, 0]] })"),
         "focus 'comb'");
 }
