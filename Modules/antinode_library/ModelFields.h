@@ -61,10 +61,14 @@ void fields (auto& stream, Struct<ModalModel> auto& model)
 {
     auto& [name, surface, angularFrequencies, dampingRatios, shapes, slopes, participation, staticShare, ceramics,
            fullScaleVoltage, coversWholeBody, rigidBodyModes, unknowns, frequencyErrors, warnings, origin] = model;
-    stream (name, surface, angularFrequencies, dampingRatios, shapes, slopes, participation, staticShare, ceramics,
-            fullScaleVoltage, coversWholeBody, rigidBodyModes, unknowns, frequencyErrors, warnings);
+    stream (name, surface, angularFrequencies, dampingRatios, shapes, slopes, participation, ceramics, fullScaleVoltage,
+            coversWholeBody, rigidBodyModes, unknowns, frequencyErrors, warnings);
 
+    // Only what is drawn is solved, and cached.
     if constexpr (! std::is_const_v<std::remove_reference_t<decltype (model)>>)
-        origin = { ModeSource::drawn }; // Only what is drawn is solved, and cached.
+    {
+        staticShare.resize (0, 0);
+        origin = { ModeSource::drawn };
+    }
 }
 } // namespace antinode

@@ -2,6 +2,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_documents/DeviceFile.h>
+#include <antinode_model/BoundedSurface.h>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -46,6 +47,23 @@ std::string boundaryError (const Json& json)
     return errorText ([&] { readDevice (json, "my.json"); });
 }
 } // namespace
+
+TEST_CASE ("A plate without an outline ends at the rectangle of its lengths, held where its edges are", "[documents]")
+{
+    Surface surface;
+    surface.kind = SurfaceKind::plate;
+    surface.xMaximum = 0.12;
+    surface.yMinimum = -0.01;
+    surface.yMaximum = 0.07;
+    surface.held = { true, false, false, false };
+    const auto boundary = boundaryOf (surface).value();
+    CHECK (areaOf (boundary.outline) == Approx (0.12 * 0.08));
+    REQUIRE (boundary.held.size() == 1);
+    CHECK (boundary.held[0].start.x() == Approx (0).margin (1e-12));
+    CHECK (boundary.held[0].end.x() == Approx (0).margin (1e-12));
+    surface.kind = SurfaceKind::line;
+    CHECK_FALSE (boundaryOf (surface));
+}
 
 TEST_CASE ("A surface keeps its outline, its held edge and its shapes through a modal device file", "[files][outlined]")
 {

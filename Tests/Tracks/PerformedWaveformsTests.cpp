@@ -3,6 +3,7 @@
 #include <antinode_documents/DesignFile.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/ExpectedError.h>
 #include <antinode_render/PerformedDesign.h>
 #include <antinode_render/PerformedWaveforms.h>
 
@@ -70,6 +71,36 @@ TEST_CASE ("Every finger gets its track, played on the modes of the surface with
     CHECK_FALSE (json["fingers"][2].contains ("normalised_error"));
     CHECK (json["peak_voltage_V"].get<double>() > 0);
     CHECK (json.contains ("power"));
+
+    // A device is some per cent beside its model: far from what the model promises, and still of use.
+    for (std::size_t p = 0; p < 3; ++p)
+    {
+        CHECK (result.expected.at (p) > -50);
+        CHECK (result.expected[p] < -10);
+        CHECK (json["fingers"][p]["expected_suppression_dB"] == result.expected[p]);
+    }
+}
+
+TEST_CASE ("Devices that measured modes may stand for differ by 4 % a mode, the same ones each time", "[tracks]")
+{
+    auto model = test::SinePlate().model (20);
+    model.origin = { ModeSource::measured, 96, 0.002, true };
+    double squares = 0;
+    constexpr int draws = 100;
+
+    for (std::uint64_t number = 0; number < draws; ++number)
+    {
+        const auto device = likelyDevice (model, number);
+        CHECK (device.participation == likelyDevice (model, number).participation);
+        CHECK (device.shapes == model.shapes);
+        CHECK ((device.angularFrequencies.cwiseQuotient (model.angularFrequencies).array() - 1).abs().maxCoeff()
+               < 1e-4);
+        const Eigen::VectorXd factors =
+            device.participation.rowwise().norm().cwiseQuotient (model.participation.rowwise().norm());
+        squares += (factors.array() - 1).square().mean() / draws;
+    }
+
+    CHECK (std::sqrt (squares) == Approx (0.04).epsilon (0.1));
 }
 
 TEST_CASE ("A point that moves is played, felt and told about on its way", "[tracks][render]")
