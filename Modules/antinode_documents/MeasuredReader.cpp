@@ -55,8 +55,9 @@ Eigen::MatrixXd readParticipation (const JsonObject& mode, std::size_t ceramics)
 
 MeasuredMode readMode (const JsonValue& value, std::size_t ceramics)
 {
-    const auto object = value.object ({ "base_mode", "frequency_Hz", "damping_ratio", "quality_factor",
-                                        "participation_per_V", "participation_imaginary_per_V", "base_sign" });
+    const auto object =
+        value.object ({ "base_mode", "frequency_Hz", "damping_ratio", "quality_factor", "participation_per_V",
+                        "participation_imaginary_per_V", "base_sign", "base_shares" });
     MeasuredMode mode;
     mode.drawn = object.required ("base_mode").integer (1, static_cast<int> (ranges::maximumModes)) - 1;
     mode.angularFrequency = fromHertz (object.required ("frequency_Hz").number (ranges::frequencyHz));
@@ -73,6 +74,15 @@ MeasuredMode readMode (const JsonValue& value, std::size_t ceramics)
         if (ceramics == 0)
             given->fail ("is given, but the base has no ceramics; allowed: with ceramics");
     }
+
+    if (const auto given = object.optional ("base_shares"))
+        for (const auto& each : given->items (1, ranges::maximumModes))
+        {
+            const auto share = each.object ({ "base_mode", "share" });
+            mode.shares.push_back (
+                { share.required ("base_mode").integer (1, static_cast<int> (ranges::maximumModes)) - 1,
+                  share.required ("share").number ({ -2, 2 }) });
+        }
 
     return mode;
 }
@@ -127,6 +137,9 @@ nlohmann::ordered_json modeToJson (const MeasuredMode& mode)
     if (mode.reference)
         json["base_sign"] = { { "ceramic", mode.reference->ceramic + 1 },
                               { "participation_per_V", mode.reference->participation } };
+
+    for (const auto& each : mode.shares)
+        json["base_shares"].push_back ({ { "base_mode", each.drawn + 1 }, { "share", each.share } });
 
     return json;
 }

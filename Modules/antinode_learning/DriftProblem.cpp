@@ -1,11 +1,11 @@
 #include "DriftProblem.h"
 
+#include "RecordingEquations.h"
 #include "ShiftedSignals.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
-#include <antinode_numerics/Fourier.h>
 #include <antinode_numerics/ParallelFor.h>
 
 #include <algorithm>
@@ -236,13 +236,7 @@ double DriftProblem::residualNoise (const Eigen::VectorXd& values) const
     double largest = 1;
 
     for (Eigen::Index m = 0; m < residual.cols(); ++m)
-    {
-        const Eigen::ArrayXd powers = forwardFourier (residual.col (m)).cwiseAbs2();
-        // A periodogram of white noise is exponentially distributed: its mean square is twice its squared mean.
-        const auto narrowness = powers.square().mean() / (2 * powers.mean() * powers.mean());
-        largest = std::max (largest, residual.col (m).squaredNorm() / static_cast<double> (residual.rows())
-                                         * std::max (1.0, narrowness));
-    }
+        largest = std::max (largest, powerAsWhiteNoise (residual.col (m)));
 
     return largest;
 }

@@ -1,6 +1,7 @@
 #include "HeardParameters.h"
 
 #include "DrivenModes.h"
+#include "UsualDeviations.h"
 
 #include <antinode_numerics/DenseKernels.h>
 #include <antinode_numerics/ParallelFor.h>
@@ -13,7 +14,8 @@ namespace
 {
 constexpr double leastInformation = 0.1; // of the prior's, of a parameter
 
-/** The inner products of what each ceramic alone does to a mode, N_b x N_b, of all recordings, each of its length. */
+/** The inner products of what a deviation of each participation does to a mode, N_b x N_b, of all recordings, each of
+    its length. */
 Eigen::MatrixXd sharesOfCeramics (const LearningPrior& prior, Eigen::Index k)
 {
     const auto ceramics = prior.model.actuators();
@@ -21,7 +23,7 @@ Eigen::MatrixXd sharesOfCeramics (const LearningPrior& prior, Eigen::Index k)
 
     for (const auto& voltages : prior.voltages)
     {
-        const auto each = drivenByEachCeramic (prior.model, k, voltages, voltages.samples());
+        const auto each = drivenByEachCeramic (prior.deviating, k, voltages, voltages.samples());
         const auto parts = each.parts();
         const auto logarithm = decayLogarithm (prior.model, k, voltages.sampleRate());
         const auto decay = decayProducts (logarithm, logarithm, voltages.samples() - each.driven.rows());
@@ -46,15 +48,13 @@ double audibility (const LearningPrior& prior, Eigen::Index k)
     return sum;
 }
 
-std::vector<LearningParameter> participationParameters (const LearningPrior& prior, Eigen::Index k,
-                                                        const Eigen::MatrixXd& products, double heard)
+std::vector<LearningParameter> participationParameters (Eigen::Index k, const Eigen::MatrixXd& products, double heard)
 {
-    const auto deviation = prior.deviations.participation[k];
     const auto eigen = symmetricEigen (products);
     std::vector<LearningParameter> parameters;
 
     for (auto v = eigen.values.size() - 1; v >= 0; --v)
-        if (const auto told = heard * deviation * deviation * eigen.values[v]; told > leastInformation)
+        if (const auto told = heard * eigen.values[v]; told > leastInformation)
             parameters.push_back ({ ParameterKind::participation, k, 0, eigen.vectors.col (v), told });
 
     return parameters;
@@ -95,11 +95,9 @@ Eigen::Matrix3Xd knownEnergies (const LearningPrior& prior)
 
 /** The energies of a mode where participations are off as the prior says. Voltages that keep a mode at rest by what it
     is known to be move it on the device: ceramics that cancel each other do not any more. */
-Eigen::Vector3d expectedEnergies (const LearningPrior& prior, Eigen::Index k, const Eigen::Vector3d& known,
-                                  const Eigen::MatrixXd& products)
+Eigen::Vector3d expectedEnergies (const Eigen::Vector3d& known, const Eigen::MatrixXd& products)
 {
-    const auto deviation = prior.deviations.participation[k];
-    const auto whole = known[0] + deviation * deviation * products.trace();
+    const auto whole = known[0] + products.trace();
     return known[0] > 0 ? Eigen::Vector3d (known * (whole / known[0])) : Eigen::Vector3d (whole, 0, 0);
 }
 
@@ -109,7 +107,7 @@ std::vector<LearningParameter> parametersOf (const LearningPrior& prior, Eigen::
     const auto& deviations = prior.deviations;
     const auto heard = audibility (prior, k);
     const auto products = sharesOfCeramics (prior, k);
-    const auto energy = expectedEnergies (prior, k, known, products);
+    const auto energy = expectedEnergies (known, products);
     auto parameters = std::vector<LearningParameter> {};
 
     if (const auto told = heard * energy[1] * square (deviations.frequencies[k]); told > leastInformation)
@@ -118,23 +116,57 @@ std::vector<LearningParameter> parametersOf (const LearningPrior& prior, Eigen::
     if (const auto told = heard * energy[2] * square (deviations.dampings[k]); told > leastInformation)
         parameters.push_back ({ ParameterKind::damping, k, 0, {}, told });
 
-    if (heard * energy[0] * square (deviations.participation[k]) > leastInformation)
-    {
-        const auto directions = participationParameters (prior, k, products, heard);
-        parameters.insert (parameters.end(), directions.begin(), directions.end());
-    }
+    const auto directions = participationParameters (k, products, heard);
+    parameters.insert (parameters.end(), directions.begin(), directions.end());
 
     for (std::size_t m = 0; m < prior.sensors.size(); ++m)
     {
         const auto& sensor = prior.sensors[m];
-        const auto ratio =
-            sensor.deviation * sensor.shapes[k] / prior.recordings.front().noise[static_cast<Eigen::Index> (m)];
+
+        if (sensor.deviations.size() == 0)
+            continue;
+
+        const auto ratio = sensor.deviations[k] / prior.recordings.front().noise[static_cast<Eigen::Index> (m)];
 
         if (const auto told = square (ratio) * energy[0]; told > leastInformation)
             parameters.push_back ({ ParameterKind::sensor, k, static_cast<Eigen::Index> (m), {}, told });
     }
 
     return parameters;
+}
+
+std::vector<SharedParameter> sharedOf (const LearningPrior& prior)
+{
+    std::vector<SharedParameter> shared;
+
+    if (prior.deviations.gain > 0)
+        shared.push_back ({ SharedParameter::Kind::gain, 0 });
+
+    if (prior.deviations.ceramicGains > 0)
+        for (Eigen::Index i = 0; i < prior.model.actuators(); ++i)
+            shared.push_back ({ SharedParameter::Kind::ceramicGain, i });
+
+    constexpr double leastMixture = 0.02;
+
+    for (Eigen::Index k = 0; k + 1 < prior.model.modes() && prior.deviations.mixing > 0; ++k)
+        if (mixturesOf (prior.modes.angularFrequencies, k, prior.deviations.mixing)[k + 1] > leastMixture)
+            shared.push_back ({ SharedParameter::Kind::mixture, k });
+
+    for (std::size_t m = 0; m < prior.sensors.size(); ++m)
+    {
+        const auto index = static_cast<Eigen::Index> (m);
+
+        if (prior.sensors[m].gain > 0)
+            shared.push_back ({ SharedParameter::Kind::sensorGain, index });
+
+        if (prior.sensors[m].slopes.size() > 0)
+        {
+            shared.push_back ({ SharedParameter::Kind::sensorX, index });
+            shared.push_back ({ SharedParameter::Kind::sensorY, index });
+        }
+    }
+
+    return shared;
 }
 } // namespace
 
@@ -149,6 +181,7 @@ LearningParameters heardParameters (const LearningPrior& prior)
                      ofModes[index] = parametersOf (prior, k, known.col (k));
                  });
     LearningParameters parameters;
+    parameters.shared = sharedOf (prior);
     parameters.recordings = static_cast<Eigen::Index> (prior.recordings.size());
 
     for (Eigen::Index i = 0; i < prior.distortionDeviations.size(); ++i)

@@ -54,10 +54,12 @@ double longestTime (const std::vector<PlayedRecording>& recordings)
     return longest;
 }
 
-/** What is left of a parameter's deviation, of all: the roots of the diagonal of the inverse of the matrix. The inverse
-    of the factor is lower too, so that each block of columns begins at its own rows. */
-Eigen::VectorXd deviationsLeft (const Eigen::MatrixXd& factored)
+/** What is left of a parameter's deviation, of all: the roots of the diagonal of the inverse of the matrix, of those of
+    modes with what they share. The inverse of the factor is lower too, so that each block of columns begins at its own
+    rows. */
+Eigen::VectorXd deviationsLeft (const Eigen::MatrixXd& factored, const Eigen::MatrixXd& sharedEffects)
 {
+    const auto modal = sharedEffects.rows(), shared = sharedEffects.cols();
     constexpr Eigen::Index width = 256; // columns at a time
     Eigen::VectorXd left (factored.rows());
 
@@ -65,6 +67,10 @@ Eigen::VectorXd deviationsLeft (const Eigen::MatrixXd& factored)
     {
         const auto rows = factored.rows() - first, columns = std::min (width, rows);
         Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity (rows, columns);
+
+        if (const auto some = std::min (columns, modal - first); some > 0)
+            inverse.block (modal - first, 0, shared, some) = sharedEffects.middleRows (first, some).transpose();
+
         solveLower (factored.bottomRightCorner (rows, rows), inverse);
         left.segment (first, columns) = inverse.colwise().norm();
     }
@@ -72,11 +78,24 @@ Eigen::VectorXd deviationsLeft (const Eigen::MatrixXd& factored)
     return left;
 }
 
+/** Shapes of modes, in columns, each with its share of the next one. */
+Eigen::MatrixXd mixed (const Eigen::MatrixXd& shapes, const Eigen::VectorXd& mixtures)
+{
+    auto result = shapes;
+
+    for (Eigen::Index k = 0; k + 1 < shapes.cols(); ++k)
+    {
+        result.col (k) += mixtures[k] * shapes.col (k + 1);
+        result.col (k + 1) -= mixtures[k] * shapes.col (k);
+    }
+
+    return result;
+}
+
 LearntModes learntFrom (const LearningPrior& prior, const LearningProblem& problem, const LearningSolution& solution)
 {
     const auto state = problem.state (solution.values);
-    const auto left = deviationsLeft (solution.factored);
-    const auto ceramics = static_cast<double> (prior.model.actuators());
+    const auto left = deviationsLeft (solution.factored, problem.all().sharedEffects);
     const auto& deviations = prior.deviations;
     LearntModes learnt { prior.model,
                          prior.sensors,
@@ -85,14 +104,20 @@ LearntModes learntFrom (const LearningPrior& prior, const LearningProblem& probl
                          prior.distortionDeviations,
                          deviations.frequencies,
                          deviations.dampings,
-                         deviations.participation,
+                         prior.deviating.participation.rowwise().norm().cwiseQuotient (
+                             prior.modes.participation.rowwise().norm().cwiseMax (1e-300)),
                          solution.residual,
                          solution.unexplained,
                          solution.distance,
-                         solution.largestMove };
+                         solution.largestMove,
+                         0,
+                         0,
+                         state.mixtures };
     learnt.model.angularFrequencies = state.model.angularFrequencies;
     learnt.model.dampingRatios = state.model.dampingRatios;
     learnt.model.participation = state.model.participation;
+    learnt.model.shapes = mixed (prior.model.shapes, state.mixtures);
+    learnt.model.slopes = mixed (prior.model.slopes, state.mixtures);
 
     for (std::size_t m = 0; m < learnt.sensors.size(); ++m)
         learnt.sensors[m].shapes = state.sensors.row (static_cast<Eigen::Index> (m));
@@ -115,9 +140,13 @@ LearntModes learntFrom (const LearningPrior& prior, const LearningProblem& probl
             learnt.dampingDeviations[k] *= share;
         else if (parameter.kind == ParameterKind::participation)
             // Each heard combination takes its part of the mean square over all ceramics.
-            learnt.participationDeviations[k] = std::sqrt (
-                std::max (0.0, std::pow (learnt.participationDeviations[k], 2)
-                                   - std::pow (deviations.participation[k], 2) * (1 - share * share) / ceramics));
+            learnt.participationDeviations[k] =
+                std::sqrt (std::max (0.0, std::pow (learnt.participationDeviations[k], 2)
+                                              - (1 - share * share)
+                                                    * prior.deviating.participation.row (k)
+                                                          .cwiseProduct (parameter.ceramics.transpose())
+                                                          .squaredNorm()
+                                                    / prior.modes.participation.row (k).squaredNorm()));
     }
 
     return learnt;
@@ -143,6 +172,99 @@ Eigen::VectorXd grownWithin (double furthest, const LearningPrior& prior, const 
     }
 
     return values;
+}
+
+/** Raises what is believed of the noise to what values leave unexplained: neither tells of the parameters.
+    @param stated  what the recordings say of it, of each
+    @return        whether any sensor's changes by much */
+bool believeWhatIsLeft (LearningPrior& prior, const std::vector<Eigen::VectorXd>& stated,
+                        const std::vector<Eigen::VectorXd>& left)
+{
+    constexpr double much = 1.2; // times
+    auto changes = false;
+
+    for (std::size_t r = 0; r < left.size(); ++r)
+    {
+        const Eigen::VectorXd believed = left[r].cwiseMax (stated[r]);
+        const Eigen::ArrayXd ratios = believed.array() / prior.noise[r].array();
+        changes = changes || (ratios > much).any() || (ratios < 1 / much).any();
+        prior.noise[r] = believed;
+    }
+
+    return changes;
+}
+
+/** Values without what they say of a sensor. */
+Eigen::VectorXd withoutSensor (Eigen::VectorXd values, const LearningParameters& parameters, Eigen::Index sensor)
+{
+    using Kind = SharedParameter::Kind;
+
+    for (Eigen::Index p = 0; p < parameters.ofModes(); ++p)
+        if (const auto& one = parameters.modal[static_cast<std::size_t> (p)];
+            one.kind == ParameterKind::sensor && one.sensor == sensor)
+            values[p] = 0;
+
+    for (std::size_t i = 0; i < parameters.shared.size(); ++i)
+        if (const auto& [kind, index] = parameters.shared[i];
+            index == sensor && (kind == Kind::sensorGain || kind == Kind::sensorX || kind == Kind::sensorY))
+            values[parameters.ofModes() + static_cast<Eigen::Index> (i)] = 0;
+
+    return values;
+}
+
+/** Holds sensors back in turn: what the others learn predicts each as well as the device as it was, or better. */
+void holdBack (LearntModes& learnt, LearningPrior& prior, const LearningProblem& problem, const Eigen::VectorXd& values,
+               double longest)
+{
+    constexpr Eigen::Index most = 4; // sensors, evenly among all
+    constexpr double deaf = 1e6;     // times the noise
+    const auto sensors = std::ssize (prior.sensors);
+
+    if (sensors < 2 || prior.sensors.front().deviations.size() == 0)
+        return;
+
+    const auto& parameters = problem.all().parameters;
+    Eigen::VectorXd before = Eigen::VectorXd::Zero (values.size());
+    before.segment (parameters.delay (0), parameters.recordings) =
+        values.segment (parameters.delay (0), parameters.recordings);
+    const auto count = std::min (sensors, most);
+    const auto believed = prior.noise;
+
+    for (Eigen::Index i = 0; i < count; ++i)
+    {
+        const auto held = i * sensors / count;
+
+        for (auto& noise : prior.noise)
+            noise[held] *= deaf;
+
+        const auto others = problem.solve (problem.clearlyHeard(), withoutSensor (values, parameters, held), longest,
+                                           roughGain, unbounded);
+        prior.noise = believed;
+        const auto share = [&] (const Eigen::VectorXd& at) { return problem.unexplainedShare (at, held, longest); };
+        learnt.heldBack += share (withoutSensor (others.values, parameters, held)) / static_cast<double> (count);
+        learnt.heldBackBefore += share (before) / static_cast<double> (count);
+    }
+
+    learnt.heldBack = std::sqrt (learnt.heldBack);
+    learnt.heldBackBefore = std::sqrt (learnt.heldBackBefore);
+}
+
+/** The device by the most probable values, where what no parameter explains is noise, too. */
+LearntModes settled (LearningPrior& prior, const LearningProblem& problem, LearningSolution solution, double longest)
+{
+    constexpr int mostTimes = 4;
+    const auto stated = prior.noise;
+
+    for (int i = 0; i < mostTimes && believeWhatIsLeft (prior, stated, problem.noiseLeft (solution.values, longest));
+         ++i)
+        solution = problem.finish (std::move (solution.values), longest);
+
+    const auto believed = std::exchange (prior.noise, stated);
+    solution = problem.judged (std::move (solution), longest);
+    auto learnt = learntFrom (prior, problem, solution);
+    prior.noise = believed;
+    holdBack (learnt, prior, problem, solution.values, longest);
+    return learnt;
 }
 
 /** Which bounds lead to the right minimum differs from device to device: the next ones are tried where it is missed.
@@ -200,7 +322,7 @@ bool isMissed (const LearntModes& learnt)
 LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations,
                         const std::vector<PlayedRecording>& recordings, const LearntModes* before)
 {
-    const auto prior = makePrior (model, sensors, deviations, recordings);
+    auto prior = makePrior (model, sensors, deviations, recordings);
     const LearningProblem problem (prior);
     const auto longest = longestTime (recordings);
 
@@ -210,10 +332,10 @@ LearntModes learnModes (const ModalModel& model, const std::vector<Sensor>& sens
         values =
             problem.solve (problem.clearlyHeard(), std::move (values), longest, LearningProblem::finestGain, unbounded)
                 .values;
-        return learntFrom (prior, problem, problem.finish (std::move (values), longest));
+        return settled (prior, problem, problem.finish (std::move (values), longest), longest);
     }
 
-    return learntFrom (prior, problem, fromTheBeginning (prior, problem, longest));
+    return settled (prior, problem, fromTheBeginning (prior, problem, longest), longest);
 }
 
 std::array<double, 2> misfitsOfBeginning (const ModalModel& model, const std::vector<Sensor>& sensors,

@@ -21,10 +21,15 @@ struct LearntModes
     Eigen::VectorXd frequencyDeviations;     ///< N_m: relative standard deviations that are left.
     Eigen::VectorXd dampingDeviations;       ///< N_m
     Eigen::VectorXd participationDeviations; ///< N_m: RMS over the ceramics.
-    double residual = 0;    ///< RMS of what the model does not explain, of the noise: 1 where all is explained.
-    double unexplained = 0; ///< The same, of the signals.
-    double distance = 0;    ///< RMS of the residual and of all deviations from what was known, of the noise.
-    double largestMove = 0; ///< Of a frequency, in its deviations, of modes below .4 of the lowest sample rate.
+    double residual = 0;       ///< RMS of what the model does not explain, of the noise: 1 where all is explained.
+    double unexplained = 0;    ///< The same, of the signals.
+    double distance = 0;       ///< RMS of the residual and of all deviations from what was known, of the noise.
+    double largestMove = 0;    ///< Of a frequency, in its deviations, of modes below .4 of the lowest sample rate.
+    double heldBack = 0;       ///< Of sensors that are held back in turn: RMS of what the others do not predict, of the
+                               ///< signals; 0: where sensors are exact or there is only one.
+    double heldBackBefore = 0; ///< The same by the device as it was.
+    Eigen::VectorXd
+        mixtures = {}; ///< N_m: how much of the next mode each one has, and the next one of it the opposite.
 };
 
 /** Whether a frequency that is moved by so many deviations shows a wrong minimum. [any] */

@@ -1,5 +1,7 @@
 #include "LearningParameters.h"
 
+#include "UsualDeviations.h"
+
 #include <antinode_base/InputError.h>
 
 #include <algorithm>
@@ -18,11 +20,46 @@ void require (bool isRight, const std::string& what)
         throw InputError ("recordings", what);
 }
 
-/** By how much the participations of a mode differ, relative to themselves: N_b. */
-Eigen::VectorXd relativeChange (const ModalModel& now, const ModalModel& before, Eigen::Index k)
+/** What sensors hear of each mode: N x N_m. */
+Eigen::MatrixXd shapesOf (const std::vector<Sensor>& sensors)
 {
-    const Eigen::VectorXd was = before.participation.row (k).transpose();
-    return (was.array() != 0).select ((now.participation.row (k).transpose() - was).cwiseQuotient (was), 0.0);
+    Eigen::MatrixXd shapes (std::ssize (sensors), sensors.front().shapes.size());
+
+    for (std::size_t m = 0; m < sensors.size(); ++m)
+        shapes.row (static_cast<Eigen::Index> (m)) = sensors[m].shapes;
+
+    return shapes;
+}
+
+/** A standard deviation of how much a mode has of the next one. */
+double mixtureOf (const LearningPrior& prior, Eigen::Index k)
+{
+    return mixturesOf (prior.modes.angularFrequencies, k, prior.deviations.mixing)[k + 1];
+}
+
+/** Changes of a mode's participations, in their standard deviations: N_b. */
+Eigen::VectorXd inDeviations (const LearningPrior& prior, Eigen::Index k, const Eigen::RowVectorXd& changes)
+{
+    const Eigen::VectorXd deviations = prior.deviating.participation.row (k).transpose();
+    return (deviations.array() > 0).select (changes.transpose().cwiseQuotient (deviations), 0.0);
+}
+
+/** The standard deviation of each participation: by a part of its own, and by neighbours. */
+Eigen::MatrixXd participationDeviations (const ModalModel& modes, const ModeSpread& spread)
+{
+    Eigen::MatrixXd deviations (modes.participation.rows(), modes.participation.cols());
+    const Eigen::MatrixXd squares = modes.participation.cwiseAbs2();
+
+    for (Eigen::Index k = 0; k < deviations.rows(); ++k)
+    {
+        deviations.row (k) = std::pow (spread.participation[k], 2) * squares.row (k);
+
+        if (spread.mixing > 0 && spread.mixesForces)
+            deviations.row (k) +=
+                farMixturesOf (modes.angularFrequencies, k, spread.mixing).cwiseAbs2().transpose() * squares;
+    }
+
+    return deviations.cwiseSqrt();
 }
 
 void apply (LearningState& state, const LearningParameter& parameter, double value, const LearningPrior& prior)
@@ -42,16 +79,86 @@ void apply (LearningState& state, const LearningParameter& parameter, double val
             break;
 
         case ParameterKind::participation:
-            state.model.participation.row (k).array() +=
-                deviations.participation[k] * value
-                * (parameter.ceramics.transpose().array() * prior.model.participation.row (k).array());
+            state.model.participation.row (k) +=
+                value * prior.deviating.participation.row (k).cwiseProduct (parameter.ceramics.transpose());
             break;
 
         case ParameterKind::sensor:
-            state.sensors (parameter.sensor, k) *=
-                1 + prior.sensors[static_cast<std::size_t> (parameter.sensor)].deviation * value;
+            state.sensors (parameter.sensor, k) +=
+                value * prior.sensors[static_cast<std::size_t> (parameter.sensor)].deviations[k];
             break;
     }
+}
+
+/** Each mode with a share of the next one, and the next one with the opposite share of it: of columns.
+    @param share  of mode k of the next one */
+Eigen::MatrixXd mixed (const Eigen::MatrixXd& columns, Eigen::Index k, double share)
+{
+    Eigen::MatrixXd change = Eigen::MatrixXd::Zero (columns.rows(), columns.cols());
+    change.col (k) = share * columns.col (k + 1);
+    change.col (k + 1) = -share * columns.col (k);
+    return change;
+}
+
+/** What a standard deviation of a parameter changes; none of what it leaves as it is. */
+struct SharedChange
+{
+    Eigen::MatrixXd participation = {}; ///< N_m x N_b
+    Eigen::MatrixXd sensors = {};       ///< N x N_m
+};
+
+SharedChange changeOf (const LearningPrior& prior, const SharedParameter& parameter)
+{
+    using Kind = SharedParameter::Kind;
+    const auto& all = prior.modes.participation;
+    const auto i = parameter.index;
+
+    if (parameter.kind == Kind::gain)
+        return { prior.deviations.gain * all };
+
+    if (parameter.kind == Kind::ceramicGain)
+    {
+        SharedChange change { Eigen::MatrixXd::Zero (all.rows(), all.cols()) };
+        change.participation.col (i) = prior.deviations.ceramicGains * all.col (i);
+        return change;
+    }
+
+    const auto shapes = shapesOf (prior.sensors);
+
+    if (parameter.kind == Kind::mixture)
+    {
+        const auto share = mixtureOf (prior, i);
+        SharedChange change { {}, mixed (shapes, i, share) };
+
+        if (prior.deviations.mixesForces)
+            change.participation = mixed (all.transpose(), i, share).transpose();
+
+        return change;
+    }
+
+    const auto& sensor = prior.sensors[static_cast<std::size_t> (i)];
+    SharedChange change { {}, Eigen::MatrixXd::Zero (shapes.rows(), shapes.cols()) };
+
+    if (parameter.kind == Kind::sensorGain)
+        change.sensors.row (i) = sensor.gain * sensor.shapes;
+    else
+        change.sensors.row (i) = sensor.slopes.row (parameter.kind == Kind::sensorX ? 0 : 1);
+
+    return change;
+}
+
+void apply (LearningState& state, const SharedParameter& parameter, double value, const LearningPrior& prior)
+{
+    const auto change = changeOf (prior, parameter);
+
+    if (change.participation.size() > 0)
+        state.model.participation += value * change.participation;
+
+    if (change.sensors.size() > 0)
+        state.sensors += value * change.sensors;
+
+    if (parameter.kind == SharedParameter::Kind::mixture)
+        state.mixtures[parameter.index] += value * mixtureOf (prior, parameter.index);
 }
 
 /** 1/V^2, of each ceramic that plays: the deviation by its largest voltage, or by a hundredth of that of all ceramics,
@@ -83,7 +190,9 @@ void requireUsable (const ModalModel& model, const std::vector<Sensor>& sensors,
              "need a deviation of the distortion of 0 or more");
 
     for (const auto& sensor : sensors)
-        require (sensor.shapes.size() == modes && sensor.shapes.allFinite() && sensor.deviation >= 0,
+        require (sensor.shapes.size() == modes && sensor.shapes.allFinite()
+                     && (sensor.deviations.size() == 0 || sensor.deviations.size() == modes)
+                     && (sensor.slopes.size() == 0 || sensor.slopes.cols() == modes),
                  "need one finite shape of every mode for every sensor");
 
     for (const auto& recording : recordings)
@@ -109,14 +218,17 @@ LearningPrior makePrior (const ModalModel& model, const std::vector<Sensor>& sen
                          const std::vector<PlayedRecording>& recordings)
 {
     requireUsable (model, sensors, deviations, recordings);
-    LearningPrior prior { model, sensors, deviations, recordings, {}, {}, {}, {} };
+    LearningPrior prior { model, sensors, deviations, recordings, {}, {}, {}, {}, {}, {} };
     prior.distortionDeviations = distortionDeviationsOf (deviations.distortion, recordings);
     prior.modes.angularFrequencies = model.angularFrequencies;
     prior.modes.dampingRatios = model.dampingRatios;
     prior.modes.participation = model.participation;
+    prior.deviating = prior.modes;
+    prior.deviating.participation = participationDeviations (prior.modes, deviations);
 
     for (const auto& recording : recordings)
     {
+        prior.noise.push_back (recording.noise);
         prior.voltages.emplace_back (recording.voltages, recording.cubes, recording.sampleRate);
         prior.signals.push_back (std::make_unique<ShiftedSignals> (recording));
     }
@@ -127,15 +239,16 @@ LearningPrior makePrior (const ModalModel& model, const std::vector<Sensor>& sen
 LearningState stateAt (const LearningPrior& prior, const LearningParameters& parameters, const Eigen::VectorXd& values)
 {
     LearningState state {
-        prior.modes, {}, Eigen::VectorXd (parameters.recordings), Eigen::VectorXd::Zero (prior.model.actuators())
+        prior.modes, {}, Eigen::VectorXd (parameters.recordings), Eigen::VectorXd::Zero (prior.model.actuators()), {}
     };
-    state.sensors.resize (static_cast<Eigen::Index> (prior.sensors.size()), prior.model.modes());
-
-    for (std::size_t m = 0; m < prior.sensors.size(); ++m)
-        state.sensors.row (static_cast<Eigen::Index> (m)) = prior.sensors[m].shapes;
+    state.sensors = shapesOf (prior.sensors);
+    state.mixtures = Eigen::VectorXd::Zero (prior.model.modes());
 
     for (std::size_t p = 0; p < parameters.modal.size(); ++p)
         apply (state, parameters.modal[p], values[static_cast<Eigen::Index> (p)], prior);
+
+    for (std::size_t i = 0; i < parameters.shared.size(); ++i)
+        apply (state, parameters.shared[i], values[parameters.ofModes() + static_cast<Eigen::Index> (i)], prior);
 
     state.model.angularFrequencies *= std::exp (prior.deviations.drift * values[parameters.drift()]);
 
@@ -153,6 +266,31 @@ LearningState stateAt (const LearningPrior& prior, const LearningParameters& par
     return state;
 }
 
+Eigen::MatrixXd effectsOfShared (const LearningPrior& prior, const LearningParameters& parameters)
+{
+    Eigen::MatrixXd effects = Eigen::MatrixXd::Zero (parameters.ofModes(), std::ssize (parameters.shared));
+
+    for (Eigen::Index i = 0; i < effects.cols(); ++i)
+    {
+        const auto& shared = parameters.shared[static_cast<std::size_t> (i)];
+        const auto change = changeOf (prior, shared);
+
+        for (Eigen::Index p = 0; p < effects.rows(); ++p)
+        {
+            const auto& parameter = parameters.modal[static_cast<std::size_t> (p)];
+            const auto k = parameter.mode;
+
+            if (change.participation.size() > 0 && parameter.kind == ParameterKind::participation)
+                effects (p, i) = parameter.ceramics.dot (inDeviations (prior, k, change.participation.row (k)));
+            else if (change.sensors.size() > 0 && parameter.kind == ParameterKind::sensor)
+                effects (p, i) = change.sensors (parameter.sensor, k)
+                                 / prior.sensors[static_cast<std::size_t> (parameter.sensor)].deviations[k];
+        }
+    }
+
+    return effects;
+}
+
 Eigen::VectorXd valuesOf (const LearningPrior& prior, const LearningParameters& parameters, const LearntModes& before)
 {
     Eigen::VectorXd values = Eigen::VectorXd::Zero (parameters.size());
@@ -167,7 +305,7 @@ Eigen::VectorXd valuesOf (const LearningPrior& prior, const LearningParameters& 
         values[parameters.distortion (static_cast<Eigen::Index> (i))] =
             before.distortions[parameters.distorting[i]] / prior.distortionDeviations[parameters.distorting[i]];
 
-    for (Eigen::Index p = 0; p < parameters.drift(); ++p)
+    for (Eigen::Index p = 0; p < parameters.ofModes(); ++p)
     {
         const auto& parameter = parameters.modal[static_cast<std::size_t> (p)];
         const auto k = parameter.mode;
@@ -185,14 +323,14 @@ Eigen::VectorXd valuesOf (const LearningPrior& prior, const LearningParameters& 
                 break;
 
             case ParameterKind::participation:
-                values[p] = parameter.ceramics.dot (relativeChange (before.model, prior.model, k))
-                            / deviations.participation[k];
+                values[p] = parameter.ceramics.dot (
+                    inDeviations (prior, k, before.model.participation.row (k) - prior.model.participation.row (k)));
                 break;
 
             case ParameterKind::sensor:
             {
                 const auto m = static_cast<std::size_t> (parameter.sensor);
-                values[p] = (before.sensors[m].shapes[k] / prior.sensors[m].shapes[k] - 1) / prior.sensors[m].deviation;
+                values[p] = (before.sensors[m].shapes[k] - prior.sensors[m].shapes[k]) / prior.sensors[m].deviations[k];
                 break;
             }
         }

@@ -28,14 +28,34 @@ struct LearningParameter
     double information = 0;   ///< Of the recordings, divided by that of the prior, where nothing else is unknown.
 };
 
-/** All unknowns: those of modes, then the common drift, the delay of each recording, the distortion of each ceramic. */
+/** What many participations, or all that a sensor hears, have in common, in units of its standard deviation. */
+struct SharedParameter
+{
+    enum class Kind
+    {
+        gain,        ///< Of all ceramics.
+        ceramicGain, ///< Of one.
+        sensorGain,
+        sensorX, ///< A sensor's place.
+        sensorY,
+        mixture ///< Of a mode and the next one.
+    };
+
+    Kind kind = Kind::gain;
+    Eigen::Index index = 0; ///< Of the ceramic, the sensor or the mode.
+};
+
+/** All unknowns: those of modes, what these share, then the common drift, the delay of each recording, the distortion
+    of each ceramic. */
 struct LearningParameters
 {
     std::vector<LearningParameter> modal;
+    std::vector<SharedParameter> shared = {};
     Eigen::Index recordings = 0;
     std::vector<Eigen::Index> distorting = {}; ///< The ceramics whose distortion is unknown.
 
-    Eigen::Index drift() const { return static_cast<Eigen::Index> (modal.size()); }
+    Eigen::Index ofModes() const { return std::ssize (modal); }
+    Eigen::Index drift() const { return std::ssize (modal) + std::ssize (shared); }
     Eigen::Index delay (Eigen::Index recording) const { return drift() + 1 + recording; }
     Eigen::Index distortion (Eigen::Index place) const { return drift() + 1 + recordings + place; }
     Eigen::Index size() const { return distortion (std::ssize (distorting)); }
@@ -48,6 +68,7 @@ struct LearningState
     Eigen::MatrixXd sensors;     ///< N x N_m
     Eigen::VectorXd delays;      ///< s, of each recording.
     Eigen::VectorXd distortions; ///< N_b, 1/V^2: as of LearntModes.
+    Eigen::VectorXd mixtures;    ///< N_m: how much of the next mode each one has, and the next one of it the opposite.
 };
 
 /** What is known before. One thread at a time. */
@@ -57,8 +78,10 @@ struct LearningPrior
     const std::vector<Sensor>& sensors;
     const ModeSpread& deviations;
     const std::vector<PlayedRecording>& recordings;
-    ModalModel modes; ///< The model without the surface and its shapes, which every state would copy.
+    ModalModel modes;     ///< The model without the surface and its shapes, which every state would copy.
+    ModalModel deviating; ///< The same, with the standard deviation of each participation in place of it.
     Eigen::VectorXd distortionDeviations; ///< N_b, 1/V^2: 0 where a ceramic is linear or plays nothing.
+    std::vector<Eigen::VectorXd> noise;   ///< Of each recording, N: what is believed of it, at least what it says.
     std::vector<PlayedVoltages> voltages; ///< Of each recording.
     std::vector<std::unique_ptr<ShiftedSignals>> signals {}; ///< The same.
 };
@@ -73,6 +96,9 @@ LearningPrior makePrior (const ModalModel&, const std::vector<Sensor>&, const Mo
 
 /** @param values  of the parameters, in standard deviations [any] */
 LearningState stateAt (const LearningPrior&, const LearningParameters&, const Eigen::VectorXd& values);
+
+/** What shared parameters change, as values of those of modes: of modes x shared. [any] */
+Eigen::MatrixXd effectsOfShared (const LearningPrior&, const LearningParameters&);
 
 /** The values of parameters that come nearest to a device that was learnt before. [any] */
 Eigen::VectorXd valuesOf (const LearningPrior&, const LearningParameters&, const LearntModes& before);

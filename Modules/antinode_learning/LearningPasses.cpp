@@ -142,7 +142,7 @@ LearntFocus learnFocus (const WideModel& nominal, const FocusDescription& focus,
     result.design = designWithin (nominal, focus, playbackOf (settings), DesignExtent::compared);
     auto next = planned (result.design, nominal, settings), base = next;
     const auto byModel = [&] (const Eigen::MatrixXd& played) -> Eigen::VectorXd
-    { return nominal.model.shapes * modesOf (result.learnt, played, result.design.program.focusTime, settings); };
+    { return result.learnt.model.shapes * modesOf (result.learnt, played, result.design.program.focusTime, settings); };
 
     for (int i = 0; i < settings.passes; ++i)
     {

@@ -28,16 +28,16 @@ constexpr double farthestOfOthers = 1e3;      // the same of damping and partici
     only where all parameters are. */
 Unknowns unknownsAbove (double information, const LearningParameters& all)
 {
-    Unknowns unknowns { { {}, all.recordings }, {} };
+    Unknowns unknowns { { {}, all.shared, all.recordings }, {}, {} };
 
-    for (Eigen::Index p = 0; p < all.drift(); ++p)
+    for (Eigen::Index p = 0; p < all.ofModes(); ++p)
         if (const auto& parameter = all.modal[static_cast<std::size_t> (p)]; parameter.information > information)
         {
             unknowns.parameters.modal.push_back (parameter);
             unknowns.places.push_back (p);
         }
 
-    for (auto p = all.drift(); p < all.distortion (0); ++p)
+    for (auto p = all.ofModes(); p < all.distortion (0); ++p)
         unknowns.places.push_back (p);
 
     return unknowns;
@@ -45,7 +45,7 @@ Unknowns unknownsAbove (double information, const LearningParameters& all)
 
 Unknowns allOf (LearningParameters all)
 {
-    Unknowns unknowns { std::move (all), {} };
+    Unknowns unknowns { std::move (all), {}, {} };
     unknowns.places.resize (static_cast<std::size_t> (unknowns.parameters.size()));
     std::iota (unknowns.places.begin(), unknowns.places.end(), 0);
     return unknowns;
@@ -61,6 +61,23 @@ double distanceOf (const RecordingMisfit& misfit, const Eigen::VectorXd& values)
     return distanceOf (misfit.residual + values.squaredNorm(), misfit.samples);
 }
 
+/** Shared parameters change what those of modes do: their rows of the equations follow. */
+void addShared (RecordingEquations& equations, const Unknowns& unknowns)
+{
+    const auto& effects = unknowns.sharedEffects;
+    const auto modal = effects.rows(), shared = effects.cols(), others = equations.matrix.rows() - modal - shared;
+
+    if (shared == 0)
+        return;
+
+    auto& matrix = equations.matrix;
+    const Eigen::MatrixXd products = matrix.topLeftCorner (modal, modal).selfadjointView<Eigen::Lower>() * effects;
+    matrix.block (modal, 0, shared, modal) = products.transpose();
+    matrix.block (modal, modal, shared, shared) = effects.transpose() * products;
+    matrix.block (modal + shared, modal, others, shared) = matrix.bottomLeftCorner (others, modal) * effects;
+    equations.right.segment (modal, shared) = effects.transpose() * equations.right.head (modal);
+}
+
 /** Samples of a recording up to a time. */
 Eigen::Index samplesOf (const PlayedRecording& recording, double time)
 {
@@ -73,7 +90,10 @@ LearningProblem::LearningProblem (const LearningPrior& given)
     : prior (given), every (allOf (heardParameters (given))), clear (unknownsAbove (clearlyTold, every.parameters)),
       farthest (Eigen::VectorXd::Constant (every.parameters.size(), farthestOfOthers))
 {
-    for (Eigen::Index p = 0; p < every.parameters.drift(); ++p)
+    every.sharedEffects = effectsOfShared (given, every.parameters);
+    clear.sharedEffects = effectsOfShared (given, clear.parameters);
+
+    for (Eigen::Index p = 0; p < every.parameters.ofModes(); ++p)
         if (every.parameters.modal[static_cast<std::size_t> (p)].kind == ParameterKind::frequency)
             farthest[p] = farthestFrequency;
 
@@ -132,13 +152,52 @@ LearningSolution LearningProblem::solve (const Unknowns& unknowns, Eigen::Vector
 
 LearningSolution LearningProblem::finish (Eigen::VectorXd values, double time) const
 {
-    auto solution = solve (every, std::move (values), time, finestGain, farthestOfOthers);
+    return judged (solve (every, std::move (values), time, finestGain, farthestOfOthers), time);
+}
+
+LearningSolution LearningProblem::judged (LearningSolution solution, double time) const
+{
     const auto end = misfit (state (solution.values), time);
     solution.residual = std::sqrt (end.residual / end.samples);
     solution.unexplained = std::sqrt (end.residual / end.signal);
     solution.distance = distanceOf (end, solution.values);
     solution.largestMove = largestMoveHeardWell (solution.values);
     return solution;
+}
+
+std::vector<Eigen::VectorXd> LearningProblem::noiseLeft (const Eigen::VectorXd& values, double time) const
+{
+    const auto now = state (values);
+    std::vector<Eigen::VectorXd> left;
+
+    for (Eigen::Index r = 0; r < every.parameters.recordings; ++r)
+    {
+        const auto residual = recordingResidual (prior, now, r, samplesOf (recording (r), time));
+        Eigen::VectorXd deviations (residual.cols());
+
+        for (Eigen::Index m = 0; m < residual.cols(); ++m)
+            deviations[m] = std::sqrt (powerAsWhiteNoise (residual.col (m)));
+
+        left.push_back (std::move (deviations));
+    }
+
+    return left;
+}
+
+double LearningProblem::unexplainedShare (const Eigen::VectorXd& values, Eigen::Index sensor, double time) const
+{
+    const auto now = state (values);
+    double residual = 0, signal = 0;
+
+    for (Eigen::Index r = 0; r < every.parameters.recordings; ++r)
+    {
+        const auto samples = samplesOf (recording (r), time);
+        residual += recordingResidual (prior, now, r, samples).col (sensor).squaredNorm();
+        signal +=
+            prior.signals[static_cast<std::size_t> (r)]->earlier (now.delays[r], samples).col (sensor).squaredNorm();
+    }
+
+    return signal > 0 ? residual / signal : 0;
 }
 
 double LearningProblem::distance (const Eigen::VectorXd& values, double time) const
@@ -157,7 +216,7 @@ double LearningProblem::largestMoveHeardWell (const Eigen::VectorXd& values) con
 
     auto most = 0.0;
 
-    for (Eigen::Index p = 0; p < every.parameters.drift(); ++p)
+    for (Eigen::Index p = 0; p < every.parameters.ofModes(); ++p)
         if (const auto& parameter = every.parameters.modal[static_cast<std::size_t> (p)];
             parameter.kind == ParameterKind::frequency && prior.model.frequencyHz (parameter.mode) < heardWell * rate)
             most = std::max (most, std::abs (values[p]));
@@ -197,6 +256,7 @@ RecordingEquations LearningProblem::equations (const Unknowns& unknowns, const E
         sum.misfit += one.misfit;
     }
 
+    addShared (sum, unknowns);
     sum.matrix.diagonal().array() += 1;
     sum.right -= values (unknowns.places);
     return sum;

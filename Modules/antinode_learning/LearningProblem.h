@@ -12,6 +12,7 @@ struct Unknowns
 {
     LearningParameters parameters;
     std::vector<Eigen::Index> places; ///< Theirs in the values of all parameters.
+    Eigen::MatrixXd sharedEffects;    ///< As effectsOfShared().
 };
 
 /** Where an iteration ended. */
@@ -59,6 +60,16 @@ public:
         @param values  close to the solution
         [worker] */
     LearningSolution finish (Eigen::VectorXd values, double time) const;
+
+    /** A solution with how well it explains the records, by what is believed of the noise now. [worker] */
+    LearningSolution judged (LearningSolution, double time) const;
+
+    /** The standard deviation of white noise that hides as much as what values leave unexplained: of each recording, of
+        each sensor. [worker] */
+    std::vector<Eigen::VectorXd> noiseLeft (const Eigen::VectorXd& values, double time) const;
+
+    /** What values do not explain of a sensor, of its energy in all records. [worker] */
+    double unexplainedShare (const Eigen::VectorXd& values, Eigen::Index sensor, double time) const;
 
     /** The RMS of the residual up to a time and of the values themselves, in units of the noise. [worker] */
     double distance (const Eigen::VectorXd& values, double time) const;

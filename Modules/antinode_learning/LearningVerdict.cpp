@@ -63,6 +63,11 @@ std::string doubtOf (const LearningPass& pass, const LearntModes& learnt, const 
                + " % of the signals; allowed: below " + inWords (percent * mostUnexplained)
                + " %. Check sensors, channels and places.";
 
+    if (learnt.heldBackBefore > 0 && ! (learnt.heldBack < learnt.heldBackBefore))
+        return "What was learnt from the other sensors leaves " + inWords (percent * learnt.heldBack)
+               + " % of a sensor that is held back, the device as it was " + inWords (percent * learnt.heldBackBefore)
+               + " %: it would make the device worse. Check places and channels, or measure at more points.";
+
     if (const auto move = farthestMove (learnt, nominal, deviations); ! (move < farthest))
         return "A frequency would be " + inWords (move)
                + " standard deviations off the device as it was known; allowed: " + inWords (farthest)

@@ -12,20 +12,22 @@ namespace antinode
 {
 namespace
 {
-constexpr double transition = 0.25; // of the highest frequency, until nothing is left, or up to half the rate
+constexpr double transition = 0.25;      // of the highest frequency, until nothing is left, or up to half the rate
+constexpr double sharpTransition = 0.05; // the same where unknown modes follow at once
 constexpr double samplesPerPeriod = 2 * (1 + transition);
 
-/** Hz: above the highest frequency, until nothing is left. */
-double fallWidth (double sampleRate, double highest)
+/** What a filter passes. */
+struct Passband
 {
-    return std::min (transition * highest, sampleRate / 2 - highest);
-}
+    double highest = 0; ///< Hz
+    double transition = 0.25;
 
-/** Samples in which a voltage that is filtered rings, before and after it. */
-double ringing (double sampleRate, double highest)
-{
-    return 8 * sampleRate / (transition * highest);
-}
+    /** Hz: above the highest frequency, until nothing is left. */
+    double fallWidth (double sampleRate) const { return std::min (transition * highest, sampleRate / 2 - highest); }
+
+    /** Samples in which a voltage that is filtered rings, before and after it. */
+    double ringing (double sampleRate) const { return 8 * sampleRate / (transition * highest); }
+};
 
 /** Samples of a rate for one of the lowest rate that holds a frequency. */
 Eigen::Index stepFor (double sampleRate, double highest)
@@ -34,13 +36,13 @@ Eigen::Index stepFor (double sampleRate, double highest)
 }
 
 /** Rows of samples, filtered and thinned. */
-Eigen::MatrixXd thinned (const Eigen::MatrixXd& rows, double sampleRate, double highest, Eigen::Index step)
+Eigen::MatrixXd thinned (const Eigen::MatrixXd& rows, double sampleRate, const Passband& band, Eigen::Index step)
 {
-    const auto beforeItComesRound = static_cast<double> (rows.cols()) + ringing (sampleRate, highest);
+    const auto beforeItComesRound = static_cast<double> (rows.cols()) + band.ringing (sampleRate);
     const auto few = quickLength (beforeItComesRound / static_cast<double> (step));
     const auto length = few * step;
     const auto lineWidth = sampleRate / static_cast<double> (length);
-    const auto width = fallWidth (sampleRate, highest);
+    const auto width = band.fallWidth (sampleRate);
     Eigen::MatrixXd result (rows.rows(), rows.cols() / step);
     FourierTables tables;
 
@@ -50,7 +52,7 @@ Eigen::MatrixXd thinned (const Eigen::MatrixXd& rows, double sampleRate, double 
 
         for (Eigen::Index k = 0; k < spectrum.size(); ++k)
         {
-            const auto beyond = (static_cast<double> (k) * lineWidth - highest) / width;
+            const auto beyond = (static_cast<double> (k) * lineWidth - band.highest) / width;
             const auto fall = beyond <= 0 ? 1.0 : beyond >= 1 ? 0.0 : (1 + std::cos (std::numbers::pi * beyond)) / 2;
             spectrum[k] *= fall / static_cast<double> (step);
         }
@@ -62,12 +64,12 @@ Eigen::MatrixXd thinned (const Eigen::MatrixXd& rows, double sampleRate, double 
 }
 
 /** What of a recording lies below a frequency, every so many samples. */
-PlayedRecording filtered (const PlayedRecording& recording, double highest, Eigen::Index step)
+PlayedRecording filtered (const PlayedRecording& recording, const Passband& passed, Eigen::Index step)
 {
-    const auto thin = [&] (const Eigen::MatrixXd& rows) { return thinned (rows, recording.sampleRate, highest, step); };
+    const auto thin = [&] (const Eigen::MatrixXd& rows) { return thinned (rows, recording.sampleRate, passed, step); };
     const auto rate = recording.sampleRate / static_cast<double> (step);
     constexpr double powerOfFall = 3.0 / 8; // of what a raised cosine falls through
-    const auto band = highest + powerOfFall * fallWidth (recording.sampleRate, highest);
+    const auto band = passed.highest + powerOfFall * passed.fallWidth (recording.sampleRate);
     return { rate,
              thin (recording.voltages),
              thin (recording.signals),
@@ -104,7 +106,7 @@ PlayedRecording atLowerRate (const PlayedRecording& recording, double highest)
     if (recording.sampleRate <= 2 * highest)
         return recording;
 
-    return filtered (recording, highest, stepFor (recording.sampleRate, highest));
+    return filtered (recording, { highest }, stepFor (recording.sampleRate, highest));
 }
 
 PlayedRecording withinModel (PlayedRecording recording, const WideModel& model)
@@ -120,12 +122,15 @@ PlayedRecording withinModel (PlayedRecording recording, const WideModel& model)
 
     const auto step = std::clamp<Eigen::Index> (recording.voltages.cols() / leastSamples, 1, stepFor (rate, known));
     const auto held = rate / (samplesPerPeriod * static_cast<double> (step));
-    const auto highest = std::max (known, std::min (nothingBeyond * model.highestFrequency(), held));
-    const auto silence = static_cast<Eigen::Index> (std::ceil (ringing (rate, highest)));
+    // A surface has modes right above those that were measured.
+    const auto passed = model.model.modes() > model.known
+                            ? Passband { std::max (known, std::min (nothingBeyond * model.highestFrequency(), held)) }
+                            : Passband { known / aboveKnown, sharpTransition };
+    const auto silence = static_cast<Eigen::Index> (std::ceil (passed.ringing (rate)));
     recording.voltages = afterSilence (recording.voltages, silence);
     recording.signals = afterSilence (recording.signals, silence);
     recording.cubes = afterSilence (recording.cubes, silence);
-    recording = filtered (recording, highest, step);
+    recording = filtered (recording, passed, step);
     endWhereInaudible (recording.voltages);
     return recording;
 }

@@ -9,7 +9,11 @@ struct ModeSpread
 {
     Eigen::VectorXd frequencies, dampings, participation; ///< N_m each.
     double drift = 0;                                     ///< Of a factor that all frequencies share.
-    double delay = 20e-6;                                 ///< Of each recording's delay, s.
+    double gain = 0;                                      ///< Of a factor that all participations share.
+    double ceramicGains = 0;                              ///< Of a factor of each ceramic's participations.
+    double mixing = 0;       ///< Of what couples two modes, relative to their stiffness: they are each other's mixture.
+    bool mixesForces = true; ///< Whether participations are mixed, too, or were measured.
+    double delay = 20e-6;    ///< Of each recording's delay, s.
     double distortion = 0.02; ///< Of each ceramic's cubic distortion at its largest voltage; 0: ceramics are linear.
 };
 

@@ -22,10 +22,8 @@ void addParticipations (ParameterEffects& effects, const LearningPrior& prior, c
     Eigen::MatrixXd participations (std::ssize (modes), prior.model.actuators());
 
     for (std::size_t i = 0; i < modes.size(); ++i)
-        participations.row (static_cast<Eigen::Index> (i)) =
-            prior.deviations.participation[modes[i]]
-            * prior.model.participation.row (modes[i]).cwiseProduct (
-                parameters.modal[static_cast<std::size_t> (indices[i])].ceramics.transpose());
+        participations.row (static_cast<Eigen::Index> (i)) = prior.deviating.participation.row (modes[i]).cwiseProduct (
+            parameters.modal[static_cast<std::size_t> (indices[i])].ceramics.transpose());
 
     const auto some = drivenBy (state.model, modes, participations, voltages, samples);
     effects.histories.driven (Eigen::all, indices) = some.driven;
@@ -52,7 +50,7 @@ ParameterEffects parameterEffects (const LearningPrior& prior, const LearningPar
                                    const LearningState& state, const PlayedVoltages& voltages,
                                    const DrivenModes& motions, Eigen::Index samples)
 {
-    const auto all = parameters.drift();
+    const auto all = parameters.ofModes();
     ParameterEffects effects { { Eigen::MatrixXd (motions.velocity.driven.rows(), all),
                                  std::vector<FreeDecay> (parameters.modal.size()) },
                                Eigen::MatrixXd (state.sensors.rows(), all),
@@ -78,9 +76,9 @@ ParameterEffects parameterEffects (const LearningPrior& prior, const LearningPar
             take (p, prior.deviations.dampings[k], motions.byDamping, k);
         else if (parameter.kind == ParameterKind::sensor)
         {
-            take (p, sensor.deviation, motions.velocity, k);
+            take (p, 1, motions.velocity, k);
             effects.weights.col (p).setZero();
-            effects.weights (parameter.sensor, p) = sensor.shapes[k];
+            effects.weights (parameter.sensor, p) = sensor.deviations[k];
         }
     }
 

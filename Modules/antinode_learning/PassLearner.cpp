@@ -31,8 +31,10 @@ PlayedRecording asHeard (PlayedRecording recording, const WideModel& nominal, co
 LearntModes asGiven (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations)
 {
     const Eigen::VectorXd linear = Eigen::VectorXd::Zero (model.actuators());
-    return { model, sensors, {}, linear, linear, deviations.frequencies, deviations.dampings, deviations.participation,
-             0,     0,       0,  0 };
+    return {
+        model, sensors, {}, linear, linear, deviations.frequencies, deviations.dampings, deviations.participation, 0, 0,
+        0,     0,       0,  0,      {}
+    };
 }
 
 /** A fit without a sign of a wrong minimum comes first, then the more probable one. */

@@ -10,7 +10,10 @@ namespace antinode
 struct Sensor
 {
     Eigen::RowVectorXd shapes; ///< N_m: its signal per modal velocity; of a velocity sensor the mode shapes there.
-    double deviation = 0;      ///< Relative standard deviation of each of these, 0 where they are known.
+    Eigen::RowVectorXd deviations = {}; ///< N_m: standard deviation of each of these; none: they are known.
+    double gain = 0;                    ///< Relative standard deviation of a factor of all of them.
+    Eigen::Matrix2Xd slopes = {}; ///< 2 x N_m: what a standard deviation of its place, along x and y, changes of them;
+                                  ///< none: the place is exact.
 };
 
 /** Voltages that were played on a surface at rest, and what the sensors recorded meanwhile. */

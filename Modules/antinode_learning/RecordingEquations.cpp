@@ -4,7 +4,9 @@
 
 #include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
+#include <antinode_numerics/Fourier.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace antinode
@@ -43,13 +45,20 @@ Eigen::MatrixXd heardBy (const Eigen::MatrixXd& sensors, const std::vector<const
     return heard;
 }
 
-RecordingMisfit misfitOf (const Eigen::MatrixXd& residual, const Eigen::MatrixXd& signals,
-                          const PlayedRecording& recording)
+/** 1 over the square of what is believed of each sensor's noise: N. */
+Eigen::VectorXd precisionOf (const LearningPrior& prior, Eigen::Index r)
 {
-    const Eigen::VectorXd precision = recording.noise.cwiseAbs2().cwiseInverse(); // N
+    return prior.noise[static_cast<std::size_t> (r)].cwiseAbs2().cwiseInverse();
+}
+
+RecordingMisfit misfitOf (const Eigen::MatrixXd& residual, const Eigen::MatrixXd& signals, const LearningPrior& prior,
+                          Eigen::Index r)
+{
+    const auto precision = precisionOf (prior, r);
     const auto weighed = [&precision] (const Eigen::MatrixXd& values)
     { return (values.cwiseAbs2().colwise().sum() * precision).value(); };
-    return { weighed (residual), weighed (signals), recording.bandShare * static_cast<double> (residual.size()) };
+    return { weighed (residual), weighed (signals),
+             recordingOf (prior, r).bandShare * static_cast<double> (residual.size()) };
 }
 
 /** What each ceramic's distortion changes of the motions of all modes, of those that are looked for. */
@@ -114,16 +123,15 @@ RecordingEquations recordingEquations (const LearningPrior& prior, const Learnin
                                        const LearningState& state, Eigen::Index r, Eigen::Index samples)
 {
     checkWatch();
-    const auto& recording = recordingOf (prior, r);
     const auto voltages = prior.voltages[static_cast<std::size_t> (r)].distorted (state.distortions);
     const auto motions = driveModes (state.model, voltages, samples);
     const auto logarithms = decayLogarithms (state.model, voltages.sampleRate());
     const auto effects = parameterEffects (prior, parameters, state, voltages, motions, samples);
     const auto shared = sharedEffects (prior, parameters, state, r, voltages, motions, samples);
-    const Eigen::VectorXd precision = recording.noise.cwiseAbs2().cwiseInverse();
+    const auto precision = precisionOf (prior, r);
     const Eigen::MatrixXd weighted = precision.asDiagonal() * effects.weights;
     const auto products = productsWith (effects, logarithms, shared.against);
-    const auto modal = parameters.drift(), sensors = state.sensors.rows();
+    const auto modal = parameters.ofModes(), sensors = state.sensors.rows();
     const auto part = [&] (Eigen::Index i) { return shared.against.middleCols (i * sensors, sensors); };
     const auto summed = [&] (Eigen::Index i) -> Eigen::VectorXd
     { return products.middleCols (i * sensors, sensors).cwiseProduct (weighted.transpose()).rowwise().sum(); };
@@ -147,20 +155,39 @@ RecordingEquations recordingEquations (const LearningPrior& prior, const Learnin
 
     equations.right[parameters.delay (r)] = product (shared.byDelay, part (0));
     const auto& signals = prior.signals[static_cast<std::size_t> (r)]->earlier (state.delays[r], samples);
-    equations.misfit = misfitOf (part (0), signals, recording);
+    equations.misfit = misfitOf (part (0), signals, prior, r);
     return equations;
+}
+
+Eigen::MatrixXd recordingResidual (const LearningPrior& prior, const LearningState& state, Eigen::Index r,
+                                   Eigen::Index samples)
+{
+    checkWatch();
+    const auto voltages = prior.voltages[static_cast<std::size_t> (r)].distorted (state.distortions);
+    const auto histories = modeHistories (state.model, voltages, samples);
+    const auto heard =
+        heardBy (state.sensors, { &histories }, decayLogarithms (state.model, voltages.sampleRate()), samples);
+    return prior.signals[static_cast<std::size_t> (r)]->earlier (state.delays[r], samples) - heard;
+}
+
+double powerAsWhiteNoise (const Eigen::VectorXd& residual)
+{
+    const Eigen::ArrayXd powers = forwardFourier (residual).cwiseAbs2();
+    const auto mean = powers.mean();
+
+    if (! (mean > 0))
+        return 0;
+
+    // A periodogram of white noise is exponentially distributed: its mean square is twice its squared mean.
+    const auto narrowness = powers.square().mean() / (2 * mean * mean);
+    return residual.squaredNorm() / static_cast<double> (residual.size()) * std::max (1.0, narrowness);
 }
 
 RecordingMisfit recordingMisfit (const LearningPrior& prior, const LearningState& state, Eigen::Index r,
                                  Eigen::Index samples)
 {
-    checkWatch();
-    const auto& recording = recordingOf (prior, r);
-    const auto voltages = prior.voltages[static_cast<std::size_t> (r)].distorted (state.distortions);
-    const auto histories = modeHistories (state.model, voltages, samples);
-    const auto heard =
-        heardBy (state.sensors, { &histories }, decayLogarithms (state.model, voltages.sampleRate()), samples);
+    const auto residual = recordingResidual (prior, state, r, samples);
     const auto& signals = prior.signals[static_cast<std::size_t> (r)]->earlier (state.delays[r], samples);
-    return misfitOf (signals - heard, signals, recording);
+    return misfitOf (residual, signals, prior, r);
 }
 } // namespace antinode

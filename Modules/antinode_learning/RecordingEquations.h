@@ -34,6 +34,14 @@ struct RecordingEquations
 RecordingEquations recordingEquations (const LearningPrior&, const LearningParameters&, const LearningState&,
                                        Eigen::Index recording, Eigen::Index samples);
 
+/** What a device does not explain of a recording: samples x N. [worker] */
+Eigen::MatrixXd recordingResidual (const LearningPrior&, const LearningState&, Eigen::Index recording,
+                                   Eigen::Index samples);
+
+/** How strong white noise would be that hides as much as a residual does where it is loudest: its mean square, times
+    how much narrower than white noise it is. [worker] */
+double powerAsWhiteNoise (const Eigen::VectorXd& residual);
+
 /** The misfit alone. [worker] */
 RecordingMisfit recordingMisfit (const LearningPrior&, const LearningState&, Eigen::Index recording,
                                  Eigen::Index samples);

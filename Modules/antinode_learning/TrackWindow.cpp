@@ -84,7 +84,7 @@ PlayedRecording prepared (const PlayedRecording& recording, const ModalModel& no
 DriftSettings withSensor (DriftSettings settings, const ModalModel& nominal, const TrackedSensor& sensor, double scale,
                           double delayDeviation)
 {
-    const Sensor scaled { scale * sensor.shapes, 0 };
+    const Sensor scaled { scale * sensor.shapes };
     settings.spread.delay = delayDeviation;
     settings.spread.feedthrough = sensor.hearsVoltages ? usualFeedthrough (nominal, { scaled }) : 0;
     return settings;
@@ -132,7 +132,7 @@ TrackedWindow followKnown (const ModalModel& nominal, const TrackedSensor& senso
                            PlayedRecording recording, const DriftSettings& settings)
 {
     const auto layout = driftLayout (nominal, 1);
-    const std::vector<Sensor> sensors { { drift.scale * sensor.shapes, 0 } };
+    const std::vector<Sensor> sensors { { drift.scale * sensor.shapes } };
     recording.delay = drift.delay;
     auto followed = followDrift (nominal, sensors, drift.estimate, recording,
                                  withSensor (settings, nominal, sensor, drift.scale, 0));

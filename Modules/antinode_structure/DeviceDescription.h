@@ -153,9 +153,16 @@ struct OutlinedPlate
 
 struct DeviceDescription;
 
-/** A mode of a drawn device as it was measured: its shape is the drawing's. */
+/** A mode of a drawn device as it was measured: its shape is the drawing's, or a mixture of the drawing's shapes. */
 struct MeasuredMode
 {
+    /** How much of a shape of the drawing it has. */
+    struct Share
+    {
+        Eigen::Index drawn = 0; ///< Which mode, from 0.
+        double share = 0;
+    };
+
     /** What the drawing's mode has of one ceramic: it tells whether a solution has the mode with the other sign. */
     struct Reference
     {
@@ -168,6 +175,7 @@ struct MeasuredMode
     double dampingRatio = 0;
     Eigen::MatrixXd participation; ///< 1 x N_b, of a complex mode 2 x N_b with the imaginary parts below; N kg^-1/2 / V
     std::optional<Reference> reference;
+    std::vector<Share> shares = {}; ///< Of all shapes that its own is made of; none: of that mode alone.
 };
 
 /** What was measured of a ceramic and its amplifier. */

@@ -2,7 +2,11 @@
 
 #include <antinode_base/InputError.h>
 
+#include <Eigen/QR>
+
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <utility>
 
 namespace antinode
@@ -40,10 +44,56 @@ Eigen::MatrixXd participationOf (const ModalModel& model, Eigen::Index mode)
     return rows;
 }
 
+/** Of all shapes that its own is made of. */
+std::vector<MeasuredMode::Share> wholeShares (const MeasuredMode& mode)
+{
+    return mode.shares.empty() ? std::vector<MeasuredMode::Share> { { mode.drawn, 1 } } : mode.shares;
+}
+
 bool isTurnedOver (const MeasuredMode& mode, const ModalModel& drawn)
 {
     return mode.reference
            && drawn.participation (mode.drawn, mode.reference->ceramic) * mode.reference->participation < 0;
+}
+
+/** The shares of a mode for the signs that a solution gave to the drawing's modes. */
+std::vector<MeasuredMode::Share> sharesNow (const MeasuredMode& mode, const MeasuredDevice& measured,
+                                            const ModalModel& drawn)
+{
+    const auto signOf = [&] (const MeasuredMode& one) { return isTurnedOver (one, drawn) ? -1.0 : 1.0; };
+    auto shares = mode.shares;
+
+    for (auto& each : shares)
+    {
+        const auto found = std::find_if (measured.modes.begin(), measured.modes.end(),
+                                         [&] (const MeasuredMode& one) { return one.drawn == each.drawn; });
+
+        if (found == measured.modes.end())
+            throw InputError ("device '" + drawn.name + "'",
+                              "has a share of mode " + std::to_string (each.drawn + 1)
+                                  + " of its base, which it does not list; allowed: shares of modes that it lists");
+
+        each.share *= signOf (mode) * signOf (*found);
+    }
+
+    return shares;
+}
+
+/** One shape of a model as a mixture of the drawing's. */
+void mix (ModalModel& model, Eigen::Index k, const std::vector<MeasuredMode::Share>& shares, const ModalModel& drawn)
+{
+    model.shapes.col (k).setZero();
+
+    if (model.slopes.size() > 0)
+        model.slopes.col (k).setZero();
+
+    for (const auto& each : shares)
+    {
+        model.shapes.col (k) += each.share * drawn.shapes.col (each.drawn);
+
+        if (model.slopes.size() > 0)
+            model.slopes.col (k) += each.share * drawn.slopes.col (each.drawn);
+    }
 }
 
 MeasuredMode::Reference referenceOf (const ModalModel& drawn, Eigen::Index mode)
@@ -81,6 +131,58 @@ std::optional<Eigen::Index> sameShape (const ModalModel& model, Eigen::Index mod
     return {};
 }
 
+/** The share of each mode of another model in a shape, of those near a number; none where it is no mixture of them. */
+std::optional<std::vector<MeasuredMode::Share>> sharesOf (const Eigen::VectorXd& shape, Eigen::Index mode,
+                                                          const ModalModel& other)
+{
+    constexpr Eigen::Index farthest = 2;
+    constexpr double rounding = 1e-9, none = 1e-12;
+    const auto first = std::max<Eigen::Index> (0, mode - farthest);
+    const auto count = std::min (other.modes() - 1, mode + farthest) - first + 1;
+
+    if (count < 1 || other.hasComplexModes())
+        return {};
+
+    const auto near = other.shapes.middleCols (first, count);
+    const Eigen::VectorXd shares = near.householderQr().solve (shape);
+
+    if (! ((near * shares - shape).norm() < rounding * shape.norm()))
+        return {};
+
+    std::vector<MeasuredMode::Share> all;
+
+    for (Eigen::Index i = 0; i < count; ++i)
+        if (std::abs (shares[i]) > none)
+            all.push_back ({ first + i, shares[i] });
+
+    return all;
+}
+
+/** Shares of measured modes as shares of the drawing's. */
+std::vector<MeasuredMode::Share> ofDrawing (const std::vector<MeasuredMode::Share>& shares,
+                                            const MeasuredDevice* measuredBefore)
+{
+    if (measuredBefore == nullptr)
+        return shares;
+
+    std::map<Eigen::Index, double> sums;
+
+    for (const auto& each : shares)
+    {
+        const auto& mode = measuredBefore->modes[static_cast<std::size_t> (each.drawn)];
+
+        for (const auto& part : wholeShares (mode))
+            sums[part.drawn] += each.share * part.share;
+    }
+
+    std::vector<MeasuredMode::Share> all;
+
+    for (const auto& [drawn, share] : sums)
+        all.push_back ({ drawn, share });
+
+    return all;
+}
+
 /** The modes as modes of the drawing; none where one has another shape. */
 std::optional<std::vector<MeasuredMode>> modesOfDrawing (const MeasuredDevice* measuredBefore, const ModalModel& before,
                                                          const ModalModel& now)
@@ -93,10 +195,19 @@ std::optional<std::vector<MeasuredMode>> modesOfDrawing (const MeasuredDevice* m
 
     for (Eigen::Index k = 0; k < now.modes(); ++k)
     {
-        const auto same = sameShape (now, k, before);
+        auto same = sameShape (now, k, before);
+        std::vector<MeasuredMode::Share> shares;
 
         if (! same)
-            return {};
+        {
+            const auto mixture = sharesOf (now.shapes.col (k), k, before);
+
+            if (! mixture)
+                return {};
+
+            same = k;
+            shares = ofDrawing (*mixture, measuredBefore);
+        }
 
         const auto* const earlier =
             measuredBefore != nullptr ? &measuredBefore->modes[static_cast<std::size_t> (*same)] : nullptr;
@@ -110,6 +221,11 @@ std::optional<std::vector<MeasuredMode>> modesOfDrawing (const MeasuredDevice* m
             mode.reference = referenceOf (*earlier, participationOf (before, *same));
         else if (now.actuators() > 0)
             mode.reference = referenceOf (before, *same);
+
+        if (! shares.empty())
+            mode.shares = std::move (shares);
+        else if (earlier != nullptr)
+            mode.shares = earlier->shares;
 
         modes.push_back (std::move (mode));
     }
@@ -199,6 +315,10 @@ ModalModel measuredModel (const MeasuredDevice& measured, const ModalModel& draw
 
     if (drawn.slopes.size() > 0)
         model.slopes = drawn.slopes (Eigen::all, coordinates);
+
+    for (Eigen::Index k = 0; k < count; ++k)
+        if (const auto& mode = measured.modes[static_cast<std::size_t> (k)]; ! mode.shares.empty())
+            mix (model, k, sharesNow (mode, measured, drawn), drawn);
 
     model.frequencyErrors.resize (0); // Those of the solver are no longer of these frequencies.
 

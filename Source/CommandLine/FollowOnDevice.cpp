@@ -36,11 +36,11 @@ std::vector<Sensor> sensorsOf (const FollowRequest& request, const ModalModel& m
     const auto shapes = shapesAtPlaces (model, request.places);
 
     for (Eigen::Index m = 0; m < shapes.rows(); ++m)
-        sensors.push_back ({ shapes.row (m), 0 });
+        sensors.push_back ({ shapes.row (m) });
 
     // By reciprocity an idle ceramic's current.
     if (request.idleCeramic > 0)
-        sensors.push_back ({ model.participation.col (request.idleCeramic - 1).transpose(), 0 });
+        sensors.push_back ({ model.participation.col (request.idleCeramic - 1).transpose() });
 
     return sensors;
 }

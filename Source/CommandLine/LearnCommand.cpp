@@ -37,6 +37,10 @@ void print (const LearnOptions& options, const LearningSetup& setup, const Learn
         std::printf ("  not explained in the end: %.2g %% of the signals, %.2f of the noise\n",
                      100 * learnt.learnt.unexplained, learnt.learnt.residual);
 
+    if (learnt.learnt.heldBackBefore > 0)
+        std::printf ("  sensors held back: %.2g %% not predicted by the others, %.2g %% by the device as it was\n",
+                     100 * learnt.learnt.heldBack, 100 * learnt.learnt.heldBackBefore);
+
     if (! learnt.refusal.empty())
         std::printf ("  %s%s\n", keptInWords (learnt).c_str(), learnt.refusal.c_str());
 
@@ -116,13 +120,19 @@ void addSimulationOptions (CLI::App& command, LearnOptions& options)
 
 void addDeviationOptions (CLI::App& command, LearnOptions& options)
 {
-    const auto add = [&] (const char* name, double& value, const char* text)
-    { command.add_option (name, value, text)->check (CLI::Range (0.0, 50.0))->capture_default_str(); };
-    add ("--frequency-percent", options.frequency, "Standard deviation of each frequency from the device, %");
-    add ("--damping-percent", options.damping, "Standard deviation of each damping ratio, %");
-    add ("--participation-percent", options.participation, "Standard deviation of each participation, %");
+    command.add_option ("--place-mm", options.place, "Standard deviation of each sensor's place along x and y, mm")
+        ->check (CLI::Range (0.0, 50.0))
+        ->capture_default_str();
+    const auto add = [&] (const char* name, auto& value, const std::string& text)
+    { return command.add_option (name, value, text)->check (CLI::Range (0.0, 50.0))->type_name ("FLOAT"); };
+    const std::string bySource = " (default: by where the modes come from)";
+    add ("--frequency-percent", options.frequency,
+         "Standard deviation of each frequency from the device, %" + bySource);
+    add ("--damping-percent", options.damping, "Standard deviation of each damping ratio, %" + bySource);
+    add ("--participation-percent", options.participation, "Standard deviation of each participation, %" + bySource);
     add ("--distortion-percent", options.distortion,
-         "Standard deviation of each ceramic's cubic distortion at its largest voltage, %; 0: ceramics are linear");
+         "Standard deviation of each ceramic's cubic distortion at its largest voltage, %; 0: ceramics are linear")
+        ->capture_default_str();
 }
 } // namespace
 

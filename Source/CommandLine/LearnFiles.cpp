@@ -161,6 +161,8 @@ nlohmann::ordered_json learntToJson (const LearntFocus& learnt)
                                       { "kept_play", learnt.kept + 1 },
                                       { "unexplained_percent", inPercent * learnt.learnt.unexplained },
                                       { "residual_of_noise", learnt.learnt.residual },
+                                      { "held_back_percent", inPercent * learnt.learnt.heldBack },
+                                      { "held_back_before_percent", inPercent * learnt.learnt.heldBackBefore },
                                       { "trigger_sample", 0 } };
     auto& passes = document["passes"] = nlohmann::ordered_json::array();
 

@@ -11,6 +11,7 @@
 #include <antinode_engine/LagFilters.h>
 #include <antinode_focus/Detuning.h>
 #include <antinode_focus/DriveAllocation.h>
+#include <antinode_learning/UsualDeviations.h>
 #include <antinode_library/Library.h>
 #include <antinode_model/IdleCeramics.h>
 #include <antinode_model/ShapesAtPlaces.h>
@@ -68,7 +69,9 @@ PassPlayer recordedPasses (const LearnOptions& options, const LearningSetup& set
 /** A bench whose device deviates as the options say. */
 std::unique_ptr<Bench> simulatedLearningBench (const LearnOptions& options, const LearningSetup& setup)
 {
-    const DetuningSpread spread { options.frequency / 100, options.damping / 100, options.participation / 100, 0 };
+    const auto& deviations = setup.deviations;
+    const DetuningSpread spread { deviations.frequencies[0], deviations.dampings[0], deviations.participation[0],
+                                  deviations.drift };
     const auto truth = detuned (setup.device, spread, options.bench.seed);
     auto bench = options.bench;
     bench.delay = options.benchDelay / 1000;
@@ -76,6 +79,22 @@ std::unique_ptr<Bench> simulatedLearningBench (const LearnOptions& options, cons
     bench.seed *= 1000;
     return std::make_unique<SimulatedBenchPlayer> (withoutDrive (truth, options.idleCeramics),
                                                    heardShapes (truth, setup.places, options.idleCeramics), bench);
+}
+
+/** How far the device may be from its model: as the options say, else by where its modes come from. */
+ModeSpread deviationsOf (const LearnOptions& options, const ModalModel& model)
+{
+    auto deviations = usualDeviations (model);
+    const auto say = [] (Eigen::VectorXd& values, const std::optional<double>& percent)
+    {
+        if (percent)
+            values.setConstant (*percent / 100);
+    };
+    say (deviations.frequencies, options.frequency);
+    say (deviations.dampings, options.damping);
+    say (deviations.participation, options.participation);
+    deviations.distortion = options.distortion / 100;
+    return deviations;
 }
 
 /** An audio device; currents of idle ceramics have a scale of their own. */
@@ -137,17 +156,19 @@ LearningSetup learningSetup (const DeviceDescription& device, FocusDescription f
     checkKindOfPlaces (known, setup.focus);
     checkKindOfPlaces (known, setup.places, "sensor");
     setup.nominal.model = withoutDrive (setup.device, options.idleCeramics);
-    const auto shapes = heardShapes (setup.device, setup.places, options.idleCeramics);
 
-    if (shapes.rows() == 0)
+    setup.deviations = deviationsOf (options, setup.nominal.model);
+
+    for (Eigen::Index m = 0; m < setup.places.rows(); ++m)
+        setup.sensors.push_back (
+            sensorAt (setup.device, setup.places (m, 0), setup.places (m, 1), options.place / 1000));
+
+    for (const auto idle : options.idleCeramics)
+        setup.sensors.push_back (idleCeramic (setup.device, idle - 1, setup.deviations.participation[0]));
+
+    if (setup.sensors.empty())
         throw InputError ("learn", "has no sensor; allowed: --sensors, --idle-ceramic or both");
 
-    for (Eigen::Index m = 0; m < shapes.rows(); ++m)
-        setup.sensors.push_back ({ shapes.row (m), m < setup.places.rows() ? 0 : options.participation / 100 });
-
-    setup.deviations = sameSpread (setup.nominal.model.modes(), options.frequency / 100, options.damping / 100,
-                                   options.participation / 100);
-    setup.deviations.distortion = options.distortion / 100;
     return setup;
 }
 

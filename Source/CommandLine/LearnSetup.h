@@ -21,9 +21,11 @@ struct LearnOptions
     std::vector<int> idleCeramics; // counted from 1
     double idleScale = 1;          // mA per V
     int passes = 6;
-    double rate = 96000, duration = 250, longestLatency = 30;                              // Hz, ms, ms
-    double frequency = 0.5, damping = 10, participation = 5, distortion = 2, enough = 0.1; // %
-    std::optional<double> latency;                                                         // ms; none: looked for
+    double rate = 96000, duration = 250, longestLatency = 30; // Hz, ms, ms
+    std::optional<double> frequency, damping, participation;  // %; none: by where the modes come from
+    double distortion = 2, enough = 0.1;                      // %
+    double place = 2;                                         // mm
+    std::optional<double> latency;                            // ms; none: looked for
     SimulatedBenchSettings bench;
     double benchDelay = 1.234567, benchCubic = 0; // ms, %
     bool isSimulated = false, isPlayed = false, usesCache = true, isQuiet = false;

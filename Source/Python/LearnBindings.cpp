@@ -111,6 +111,7 @@ void bindOptions (py::module_& module)
     options.def_readwrite ("frequency_percent", &LearnOptions::frequency);
     options.def_readwrite ("damping_percent", &LearnOptions::damping);
     options.def_readwrite ("participation_percent", &LearnOptions::participation);
+    options.def_readwrite ("place_mm", &LearnOptions::place);
     options.def_readwrite ("distortion_percent", &LearnOptions::distortion);
     options.def_readwrite ("passes", &LearnOptions::passes);
     options.def_readwrite ("enough_percent", &LearnOptions::enough);

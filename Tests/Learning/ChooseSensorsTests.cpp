@@ -84,7 +84,7 @@ TEST_CASE ("Chosen sensors learn frequencies as well as was said, and better tha
         std::vector<Sensor> sensors;
 
         for (const auto place : chosen)
-            sensors.push_back ({ shapesAtPlaces (play.model, play.places).row (place), 0 });
+            sensors.push_back ({ shapesAtPlaces (play.model, play.places).row (place) });
 
         const auto velocities = modeVelocities (play.model, { play.voltages, rate }, play.voltages.cols());
         PlayedRecording recording { rate, play.voltages, Eigen::MatrixXd (2, play.voltages.cols()),

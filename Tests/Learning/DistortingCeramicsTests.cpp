@@ -115,7 +115,7 @@ TEST_CASE ("Cubes are known of all voltages, or of none", "[learning]")
 TEST_CASE ("A ceramic that hardly plays has a deviation that a hundredth of the others' voltage gives", "[learning]")
 {
     const auto model = sineBeam (allModes, 3);
-    const std::vector<Sensor> sensors { { shapesAt (model, 0.03, 0), 0 } };
+    const std::vector<Sensor> sensors { { shapesAt (model, 0.03, 0) } };
     const auto deviations = sameSpread (allModes, 0.005, 0.1, 0.05);
     PlayedRecording recording { rate, Eigen::MatrixXd::Zero (3, count), Eigen::MatrixXd::Zero (1, count),
                                 Eigen::VectorXd::Constant (1, 0.1) };

@@ -32,7 +32,7 @@ struct DriftingBeam
         truth.angularFrequencies *= 1 + drift;
     }
 
-    std::vector<Sensor> sensors() const { return { { nominal.participation.col (idle).transpose(), 0.01 } }; }
+    std::vector<Sensor> sensors() const { return { { nominal.participation.col (idle).transpose() } }; }
 
     /** An idle ceramic is given no voltage. */
     ModalModel driven() const

@@ -64,7 +64,7 @@ struct Bench
         std::vector<Sensor> result;
 
         for (const auto place : places)
-            result.push_back ({ shapesAt (nominal.model, place, 0), 0 });
+            result.push_back ({ shapesAt (nominal.model, place, 0) });
 
         return result;
     }

@@ -30,7 +30,7 @@ TEST_CASE ("A mode that the voltages keep at rest by what is known of it is lear
     const auto shapes = shapesAt (nominal, 0.012, 0);
     const auto signals = played (truth, shapes, voltages);
     const Eigen::VectorXd noise = 0.01 * signals.rowwise().norm() / std::sqrt (2400.0);
-    const auto learnt = learnModes (nominal, { { shapes, 0 } }, sameSpread (allModes, 0.005, 0.1, 0.05),
+    const auto learnt = learnModes (nominal, { { shapes } }, sameSpread (allModes, 0.005, 0.1, 0.05),
                                     { { benchRate, voltages, signals, noise, 0, 0 } });
     const auto moved = [&] (const ModalModel& model)
     { return model.participation (mode, first) - balance * model.participation (mode, other); };

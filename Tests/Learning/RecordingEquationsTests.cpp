@@ -48,7 +48,8 @@ TEST_CASE ("The right sides of a recording's equations are the slopes of its mis
     const auto model = test::sineBeam (5, 3);
     const auto recording = noisePlayed (model);
     const std::vector<PlayedRecording> recordings { recording };
-    const std::vector<Sensor> sensors { { shapesAt (model, 0.03, 0), 0 }, { shapesAt (model, -0.05, 0), 0.05 } };
+    const std::vector<Sensor> sensors { { shapesAt (model, 0.03, 0) },
+                                        { shapesAt (model, -0.05, 0), 0.05 * shapesAt (model, -0.05, 0).cwiseAbs() } };
     auto deviations = sameSpread (model.modes(), 0.005, 0.1, 0.05);
     deviations.drift = 0.002;
     deviations.delay = 1e-5;
@@ -86,7 +87,8 @@ TEST_CASE ("The matrix of a recording's equations is the curvature of its misfit
     const auto model = test::sineBeam (5, 3);
     auto recording = noisePlayed (model);
     recording.delay = 0;
-    const std::vector<Sensor> sensors { { shapesAt (model, 0.03, 0), 0 }, { shapesAt (model, -0.05, 0), 0.05 } };
+    const std::vector<Sensor> sensors { { shapesAt (model, 0.03, 0) },
+                                        { shapesAt (model, -0.05, 0), 0.05 * shapesAt (model, -0.05, 0).cwiseAbs() } };
     auto deviations = sameSpread (model.modes(), 0.005, 0.1, 0.05);
     deviations.drift = 0.002;
     const auto velocities = modeVelocities (model, { recording.voltages, recordedRate }, recordedFor);
@@ -125,7 +127,8 @@ TEST_CASE ("Parameters that are clearly heard are those of which recordings tell
 {
     const auto model = test::sineBeam (5, 3);
     const std::vector<PlayedRecording> recordings { noisePlayed (model) };
-    const std::vector<Sensor> sensors { { shapesAt (model, 0.03, 0), 0 }, { shapesAt (model, -0.05, 0), 0.05 } };
+    const std::vector<Sensor> sensors { { shapesAt (model, 0.03, 0) },
+                                        { shapesAt (model, -0.05, 0), 0.05 * shapesAt (model, -0.05, 0).cwiseAbs() } };
     const auto deviations = sameSpread (model.modes(), 1e-4, 0.01, 1e-3);
     const auto prior = makePrior (model, sensors, deviations, recordings);
     const LearningProblem problem (prior);
@@ -150,7 +153,8 @@ TEST_CASE ("How far a frequency is off counts where its mode is heard well", "[l
 {
     const auto model = test::sineBeam (10, 3); // to 11.5 kHz; of 24 kHz, up to 9.6 are heard well
     const std::vector<PlayedRecording> recordings { noisePlayed (model) };
-    const std::vector<Sensor> sensors { { shapesAt (model, 0.03, 0), 0 }, { shapesAt (model, -0.05, 0), 0.05 } };
+    const std::vector<Sensor> sensors { { shapesAt (model, 0.03, 0) },
+                                        { shapesAt (model, -0.05, 0), 0.05 * shapesAt (model, -0.05, 0).cwiseAbs() } };
     const auto deviations = sameSpread (model.modes(), 0.005, 0.1, 0.05);
     const auto prior = makePrior (model, sensors, deviations, recordings);
     const LearningProblem problem (prior);
@@ -174,7 +178,8 @@ TEST_CASE ("Only the unknowns that are looked for move, and the records are expl
     auto later = noisePlayed (model);
     later.delay = 4e-4;
     const std::vector<PlayedRecording> recordings { noisePlayed (model), later };
-    const std::vector<Sensor> sensors { { shapesAt (model, 0.03, 0), 0 }, { shapesAt (model, -0.05, 0), 0.05 } };
+    const std::vector<Sensor> sensors { { shapesAt (model, 0.03, 0) },
+                                        { shapesAt (model, -0.05, 0), 0.05 * shapesAt (model, -0.05, 0).cwiseAbs() } };
     const auto deviations = sameSpread (model.modes(), 1e-4, 0.01, 1e-3);
     const auto prior = makePrior (model, sensors, deviations, recordings);
     const LearningProblem problem (prior);

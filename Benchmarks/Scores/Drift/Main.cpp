@@ -91,7 +91,7 @@ int main (int count, char** arguments)
     DriftSettings settings;
     settings.spread.frequency = std::max (scatter, 1e-4);
     const auto layout = driftLayout (learner, 1);
-    std::vector<Sensor> sensors { { learner.participation.col (learner.actuators() - 1).transpose(), 0 } };
+    std::vector<Sensor> sensors { { learner.participation.col (learner.actuators() - 1).transpose() } };
     settings.spread.feedthrough = usualFeedthrough (learner, sensors);
     auto nominal = learner;
     nominal.participation.col (nominal.actuators() - 1).setZero();

@@ -6,6 +6,7 @@
 #include <antinode_identification/FrequencyDrift.h>
 #include <antinode_identification/Retuning.h>
 #include <antinode_learning/LearningPasses.h>
+#include <antinode_learning/UsualDeviations.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_library/Library.h>
 #include <antinode_measurement/SimulatedBench.h>
@@ -187,7 +188,7 @@ int main (int count, char** arguments)
                         { scatter, 0.1, 0.05, 0.003 });
 
         for (int m = 0; m < sensorCount; ++m)
-            sensors.push_back ({ shapesAt (nominal.model, points (m, 0), points (m, 1)), 0 });
+            sensors.push_back ({ shapesAt (nominal.model, points (m, 0), points (m, 1)) });
 
         auto idleModel = nominal;
         auto idleTruth = truth;
@@ -195,7 +196,7 @@ int main (int count, char** arguments)
         if (idle > 0)
         {
             const auto last = truth.actuators() - 1;
-            sensors.push_back ({ nominal.model.participation.col (last).transpose(), 0.05 });
+            sensors.push_back (idleCeramic (nominal.model, last, 0.05));
             heard.row (sensorCount) = truth.participation.col (last).transpose();
             // An idle ceramic is given no voltage.
             idleModel.model.participation.col (last).setZero();

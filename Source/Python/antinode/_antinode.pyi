@@ -576,9 +576,10 @@ class LearnOptions:
     latency_ms: Optional[float]
     longest_latency_ms: float
     snr_dB: float
-    frequency_percent: float
-    damping_percent: float
-    participation_percent: float
+    frequency_percent: Optional[float]
+    damping_percent: Optional[float]
+    participation_percent: Optional[float]
+    place_mm: float
     distortion_percent: float
     passes: int
     enough_percent: float

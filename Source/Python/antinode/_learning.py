@@ -140,7 +140,9 @@ def sensors(
         return Sensors(_antinode.Sensors.make(wanted._core, device_for(wanted, device)._core, request, show))
 
 
-def _check_deviations(frequency: float, damping: float, participation: float) -> None:
+def _check_deviations(
+    frequency: Optional[float], damping: Optional[float], participation: Optional[float]
+) -> None:
     within("frequency_percent", frequency, 0, 50)
     within("damping_percent", damping, 0, 50)
     within("participation_percent", participation, 0, 50)
@@ -260,9 +262,10 @@ def learn(
     snr_dB: float = 40.0,
     sensitivity_mm_s_per_V: float = 0.0,
     input_full_scale_V: float = 1.0,
-    frequency_percent: float = 0.5,
-    damping_percent: float = 10.0,
-    participation_percent: float = 5.0,
+    frequency_percent: Optional[float] = None,
+    damping_percent: Optional[float] = None,
+    participation_percent: Optional[float] = None,
+    place_mm: float = 2.0,
     distortion_percent: float = 2.0,
     sample_rate_Hz: float = 96000.0,
     duration_ms: float = 250.0,
@@ -292,7 +295,8 @@ def learn(
         snr_dB: signal-to-noise ratio of the sensors, -20 to 300 dB.
         sensitivity_mm_s_per_V, input_full_scale_V: the scale of ``recorded.wav``.
         frequency_percent, damping_percent, participation_percent: how far each mode may be off the device: standard
-            deviations, 0 to 50 %.
+            deviations, 0 to 50 %; None: by where the modes come from.
+        place_mm: how far each sensor may be beside its place along x and y: a standard deviation, 0 to 50 mm.
         distortion_percent: how far the cubic distortion of each ceramic at its largest voltage may be off 0: a standard
             deviation, 0 to 50 %; 0: ceramics are linear.
         sample_rate_Hz: of voltages and signals, 8000 to 2000000 Hz.
@@ -319,6 +323,7 @@ def learn(
     within("longest_latency_ms", longest_latency_ms, 0, 200)
     within("snr_dB", snr_dB, -20, 300)
     _check_deviations(frequency_percent, damping_percent, participation_percent)
+    within("place_mm", place_mm, 0, 50)
     within("distortion_percent", distortion_percent, 0, 50)
     within("duration_ms", duration_ms, 1, 10000)
     places = place_pairs("sensors_mm", sensors_mm)
@@ -341,6 +346,7 @@ def learn(
     options.frequency_percent = frequency_percent
     options.damping_percent = damping_percent
     options.participation_percent = participation_percent
+    options.place_mm = place_mm
     options.distortion_percent = distortion_percent
     options.sample_rate_Hz = sample_rate_Hz
     options.duration_ms = duration_ms
