@@ -8,13 +8,13 @@ namespace antinode
 namespace
 {
 // As drawings were off plates of solid elements. Docs/Theory.md, section 7.6.
-constexpr double drawnShapes = 0.001;                      // of a mode's RMS shape at a place, times its number
+constexpr double drawnShapes = 0.001;                       // of a mode's RMS shape at a place, times its number
 constexpr double leastOfShapes = 0.005, mostOfShapes = 0.1; // of a mode's RMS shape
-constexpr double betweenPoints = 0.02;                     // the same between places where shapes were measured
-constexpr double drawnMixing = 0.0015;                     // that of a drawn frequency
-constexpr double drawnGain = 0.05;                         // of a ceramic by its data sheet, and of all
-constexpr double measuredGain = 0.002;                     // since it was measured
-constexpr double drawnDrift = 0.003, measuredDrift = 0.01; // materials; temperature since then
+constexpr double betweenPoints = 0.02;                      // the same between places where shapes were measured
+constexpr double drawnMixing = 0.0015;                      // that of a drawn frequency
+constexpr double drawnGain = 0.05;                          // of a ceramic by its data sheet, and of all
+constexpr double measuredGain = 0.002;                      // since it was measured
+constexpr double drawnDrift = 0.003, measuredDrift = 0.01;  // materials; temperature since then
 
 bool hasDrawnShapes (const ModeOrigin& origin)
 {
@@ -89,9 +89,10 @@ Sensor sensorAt (const ModalModel& model, double x, double y, double placeDeviat
 
     for (Eigen::Index k = 0; k < model.modes(); ++k)
     {
-        const auto far = hasDrawnShapes (model.origin)
-                             ? squares.dot (farMixturesOf (model.angularFrequencies, k, drawnMixing).cwiseAbs2().transpose())
-                             : 0.0;
+        const auto far =
+            hasDrawnShapes (model.origin)
+                ? squares.dot (farMixturesOf (model.angularFrequencies, k, drawnMixing).cwiseAbs2().transpose())
+                : 0.0;
         sensor.deviations[k] = std::sqrt (std::pow (shapeShare (model, k, { x, y }), 2) * meanSquares[k] + far);
     }
 
@@ -101,8 +102,7 @@ Sensor sensorAt (const ModalModel& model, double x, double y, double placeDeviat
                    y1 = stepsAt (model, sensor, { x, y }, { 0, placeDeviation });
         sensor.slopes.resize (2, model.modes());
         sensor.slopes << x1.slope, y1.slope;
-        sensor.deviations =
-            (sensor.deviations.cwiseAbs2() + x1.bend.cwiseAbs2() + y1.bend.cwiseAbs2()).cwiseSqrt();
+        sensor.deviations = (sensor.deviations.cwiseAbs2() + x1.bend.cwiseAbs2() + y1.bend.cwiseAbs2()).cwiseSqrt();
     }
 
     return sensor;
