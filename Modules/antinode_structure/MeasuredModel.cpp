@@ -176,6 +176,7 @@ std::vector<MeasuredMode::Share> ofDrawing (const std::vector<MeasuredMode::Shar
     }
 
     std::vector<MeasuredMode::Share> all;
+    all.reserve (sums.size());
 
     for (const auto& [drawn, share] : sums)
         all.push_back ({ drawn, share });

@@ -196,6 +196,45 @@ TEST_CASE ("Modes of a drawing keep their sign where a solution has the other on
         }
 }
 
+TEST_CASE ("Modes that are mixtures of a drawing's modes stay so, and may be mixed again", "[files]")
+{
+    const auto mixed = [] (ModalModel model, Eigen::Index k, double share)
+    {
+        const Eigen::MatrixXd pair = model.shapes.middleCols (k, 2);
+        model.shapes.col (k) += share * pair.col (1);
+        model.shapes.col (k + 1) -= share * pair.col (0);
+        return model;
+    };
+
+    for (const auto& file : goodFiles())
+        if (file.name == "beam")
+        {
+            const auto device = readDevice (parseJson (file.text, "my.json"), "my.json");
+            const auto before = solveStructure (device);
+            const auto once = mixed (before, 1, 0.05);
+            const auto text = changedDeviceText (device, before, once, changeInWords);
+            const auto read = deviceReadBack (text);
+            const auto model = solveStructure (read);
+            CHECK ((model.shapes - once.shapes).norm() < 1e-9 * once.shapes.norm());
+            CHECK (text.size() < 20000);
+
+            const auto twice = mixed (model, 2, -0.03);
+            const auto again = solveStructure (deviceReadBack (changedDeviceText (read, model, twice, changeInWords)));
+            CHECK ((again.shapes - twice.shapes).norm() < 1e-9 * twice.shapes.norm());
+
+            // A solution that turns mode 3 over has the same device.
+            auto turned = parseJson (text, "changed.json");
+            auto& sign = turned["modes"][2]["base_sign"]["participation_per_V"];
+            sign = -sign.get<double>();
+            const auto other = solveStructure (readDevice (turned, "changed.json"));
+            CHECK ((other.shapes.col (1) - once.shapes.col (1) + 0.1 * before.shapes.col (2)).norm() < 1e-6);
+
+            turned["modes"][1]["base_shares"][0]["base_mode"] = 900;
+            CHECK_THROWS_WITH (solveStructure (readDevice (turned, "changed.json")),
+                               Catch::Contains ("has a share of mode 900 of its base, which it does not list"));
+        }
+}
+
 TEST_CASE ("Large sets of shapes are written compactly, to seven digits", "[files]")
 {
     constexpr Eigen::Index modes = 150, points = 900;
