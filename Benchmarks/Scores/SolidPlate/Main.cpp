@@ -71,6 +71,16 @@ WideModel drawnWide (const ModalModel& drawn, const DeviceDescription& drawing)
     return solveWide (drawing, drawn, 1.3 * drawn.frequencyHz (drawn.modes() - 1), true);
 }
 
+/** 1 for points within the extent of others, where a model knows its field; else 0. */
+Eigen::VectorXd within (const Eigen::MatrixX2d& extent, const Eigen::MatrixX2d& points)
+{
+    const Eigen::RowVector2d low = extent.colwise().minCoeff().array() - 1e-9,
+                             high = extent.colwise().maxCoeff().array() + 1e-9;
+    return ((points.rowwise() - low).rowwise().minCoeff().array() > 0
+            && (points.rowwise() - high).rowwise().maxCoeff().array() < 0)
+        .cast<double>();
+}
+
 struct Start
 {
     const char* name;
@@ -92,11 +102,12 @@ std::vector<double> errorsOf (const Start& start, const Eigen::MatrixX2d& stated
     const auto wanted =
         designWithin (start.model, focus, { Reconstruction::bandLimited, rate }, DesignExtent::compared);
     const auto field = atPoints (start.model.model, wanted.truncatedField, truth.model.surface.points);
+    const auto inside = within (start.model.model.surface.points, truth.model.surface.points);
     std::vector<double> errors;
     const auto play = [&] (const Eigen::MatrixXd& voltages, int pass)
     {
         const auto played = playOnSolid (truth, voltages, rate, shapes, focusTime);
-        errors.push_back (100 * (played.field - field).norm() / field.norm());
+        errors.push_back (100 * inside.cwiseProduct (played.field - field).norm() / inside.cwiseProduct (field).norm());
         PlayedRecording recording { rate, voltages, played.signals, {}, 0, 0 };
         recording.noise = played.signals.rowwise().norm() / std::sqrt (static_cast<double> (voltages.cols())) / 316;
         RandomNumbers random (static_cast<std::uint64_t> (pass + 1));
