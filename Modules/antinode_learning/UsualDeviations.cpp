@@ -13,6 +13,7 @@ constexpr double leastOfShapes = 0.005, mostOfShapes = 0.1; // of a mode's RMS s
 constexpr double betweenPoints = 0.02;                      // the same between places where shapes were measured
 constexpr double drawnMixing = 0.0015;                      // that of a drawn frequency
 constexpr double drawnGain = 0.05;                          // of a ceramic by its data sheet, and of all
+constexpr double sensorGain = 0.005;                        // by its calibration
 constexpr double measuredGain = 0.002;                      // since it was measured
 constexpr double drawnDrift = 0.003, measuredDrift = 0.01;  // materials; temperature since then
 
@@ -86,6 +87,7 @@ Sensor sensorAt (const ModalModel& model, double x, double y, double placeDeviat
     const Eigen::RowVectorXd meanSquares = areas.transpose() * model.shapes.cwiseAbs2() / areas.sum();
     const Eigen::RowVectorXd squares = sensor.shapes.cwiseAbs2();
     sensor.deviations.resize (model.modes());
+    sensor.gain = sensorGain;
 
     for (Eigen::Index k = 0; k < model.modes(); ++k)
     {

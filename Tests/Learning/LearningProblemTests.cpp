@@ -2,6 +2,7 @@
 
 #include <antinode_focus/SpillOver.h>
 #include <antinode_learning/LearningProblem.h>
+#include <antinode_learning/UsualDeviations.h>
 #include <antinode_numerics/RandomNumbers.h>
 
 #include <Eigen/Cholesky>
@@ -126,4 +127,39 @@ TEST_CASE ("What no parameter explains is believed to be noise, and moves none",
     CHECK (learnt.residual > 3); // of the stated noise
     CHECK (off.abs().maxCoeff() < 5e-4);
     CHECK (learnt.frequencyDeviations.head (3).minCoeff() > 1e-6);
+}
+
+TEST_CASE ("A sensor beside its place, with a scale of its own, is learnt as such", "[learning]")
+{
+    auto known = test::sineBeam (5, 3);
+    known.origin.source = ModeSource::drawn;
+    constexpr double rate = 48000, beside = 0.002;
+    constexpr Eigen::Index samples = 6000;
+    RandomNumbers random (5);
+    Eigen::MatrixXd voltages = Eigen::MatrixXd::Zero (known.actuators(), samples);
+
+    for (Eigen::Index i = 0; i < voltages.rows(); ++i)
+        voltages.row (i).head (600) = 10 * random.normal (600).transpose();
+
+    const auto velocities = modeVelocities (known, { voltages, rate }, samples);
+    std::vector<Sensor> sensors;
+    Eigen::MatrixXd all (3, known.modes());
+    PlayedRecording recording { rate, voltages, Eigen::MatrixXd (3, samples), {}, 0, 0 };
+
+    for (const auto place : { -0.031, 0.013, 0.043 })
+    {
+        const auto m = std::ssize (sensors);
+        const Eigen::RowVectorXd heard =
+            m < 2 ? shapesAt (known, place, 0) : Eigen::RowVectorXd (1.005 * shapesAt (known, place + beside, 0));
+        recording.signals.row (m) = (velocities * heard.transpose()).transpose();
+        sensors.push_back (sensorAt (known, place, 0, beside));
+        all.row (m) = heard;
+    }
+
+    recording.noise = 0.003 * recording.signals.rowwise().norm() / std::sqrt (samples);
+    auto spread = usualDeviations (known);
+    spread.distortion = 0;
+    const auto learnt = learnModes (known, sensors, spread, { recording });
+    CHECK ((learnt.model.participation - known.participation).norm() < 0.01 * known.participation.norm());
+    CHECK ((learnt.sensors[2].shapes - all.row (2)).norm() < 0.2 * (sensors[2].shapes - all.row (2)).norm());
 }
