@@ -3,6 +3,8 @@
 #include "HeardParameters.h"
 
 #include <antinode_numerics/BoundedStep.h>
+#include <antinode_numerics/DenseKernels.h>
+#include <antinode_numerics/ParallelFor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +63,8 @@ double distanceOf (const RecordingMisfit& misfit, const Eigen::VectorXd& values)
     return distanceOf (misfit.residual + values.squaredNorm(), misfit.samples);
 }
 
-/** Shared parameters change what those of modes do: their rows of the equations follow. */
+/** Shared parameters change what those of modes do: their rows of the equations follow. A mixture is of few modes: most
+    of its effects are 0. */
 void addShared (RecordingEquations& equations, const Unknowns& unknowns)
 {
     const auto& effects = unknowns.sharedEffects;
@@ -71,10 +74,22 @@ void addShared (RecordingEquations& equations, const Unknowns& unknowns)
         return;
 
     auto& matrix = equations.matrix;
-    const Eigen::MatrixXd products = matrix.topLeftCorner (modal, modal).selfadjointView<Eigen::Lower>() * effects;
+    auto ofModes = matrix.topLeftCorner (modal, modal);
+    ofModes.triangularView<Eigen::StrictlyUpper>() = ofModes.transpose();
+    Eigen::MatrixXd products = Eigen::MatrixXd::Zero (modal, shared);
+    parallelFor (static_cast<std::size_t> (shared),
+                 [&] (std::size_t index)
+                 {
+                     const auto i = static_cast<Eigen::Index> (index);
+
+                     for (Eigen::Index p = 0; p < modal; ++p)
+                         if (effects (p, i) != 0)
+                             products.col (i) += effects (p, i) * ofModes.col (p);
+                 });
     matrix.block (modal, 0, shared, modal) = products.transpose();
-    matrix.block (modal, modal, shared, shared) = effects.transpose() * products;
-    matrix.block (modal + shared, modal, others, shared) = matrix.bottomLeftCorner (others, modal) * effects;
+    addTransposedLeft (matrix.block (modal, modal, shared, shared), 1, effects, products);
+    addProduct (matrix.block (modal + shared, modal, others, shared), 1, matrix.bottomLeftCorner (others, modal),
+                effects);
     equations.right.segment (modal, shared) = effects.transpose() * equations.right.head (modal);
 }
 

@@ -11,19 +11,21 @@ void addParticipations (ParameterEffects& effects, const LearningPrior& prior, c
                         const LearningState& state, const PlayedVoltages& voltages, Eigen::Index samples)
 {
     std::vector<Eigen::Index> modes, indices;
+    std::vector<std::size_t> found;
 
     for (std::size_t p = 0; p < parameters.modal.size(); ++p)
         if (parameters.modal[p].kind == ParameterKind::participation)
         {
             modes.push_back (parameters.modal[p].mode);
-            indices.push_back (static_cast<Eigen::Index> (p));
+            indices.push_back (effects.ofParameters[p]);
+            found.push_back (p);
         }
 
     Eigen::MatrixXd participations (std::ssize (modes), prior.model.actuators());
 
     for (std::size_t i = 0; i < modes.size(); ++i)
-        participations.row (static_cast<Eigen::Index> (i)) = prior.deviating.participation.row (modes[i]).cwiseProduct (
-            parameters.modal[static_cast<std::size_t> (indices[i])].ceramics.transpose());
+        participations.row (static_cast<Eigen::Index> (i)) =
+            prior.deviating.participation.row (modes[i]).cwiseProduct (parameters.modal[found[i]].ceramics.transpose());
 
     const auto some = drivenBy (state.model, modes, participations, voltages, samples);
     effects.histories.driven (Eigen::all, indices) = some.driven;
@@ -32,17 +34,49 @@ void addParticipations (ParameterEffects& effects, const LearningPrior& prior, c
         effects.histories.after[static_cast<std::size_t> (indices[i])] = some.after[i];
 }
 
-/** Where the parameters of each mode begin, which follow each other, and the end. */
-std::vector<Eigen::Index> beginsOfModes (const std::vector<Eigen::Index>& modes)
+/** Each parameter's history: its own, or the velocity of a mode, which what all sensors hear of it share. */
+void shareHistories (ParameterEffects& effects, const LearningParameters& parameters)
 {
-    std::vector<Eigen::Index> begins;
+    for (std::size_t p = 0; p < parameters.modal.size(); ++p)
+    {
+        const auto& parameter = parameters.modal[p];
+        const auto isShared = p > 0 && parameter.kind == ParameterKind::sensor
+                              && parameters.modal[p - 1].kind == ParameterKind::sensor
+                              && parameters.modal[p - 1].mode == parameter.mode;
 
-    for (std::size_t p = 0; p < modes.size(); ++p)
-        if (p == 0 || modes[p] != modes[p - 1])
-            begins.push_back (static_cast<Eigen::Index> (p));
+        if (! isShared)
+            effects.modes.push_back (parameter.mode);
 
-    begins.push_back (std::ssize (modes));
-    return begins;
+        effects.ofParameters.push_back (std::ssize (effects.modes) - 1);
+    }
+}
+
+/** What belongs to one mode: its histories, and its parameters with the history that each has among these. */
+struct OfMode
+{
+    Eigen::Index mode = 0, firstHistory = 0, firstParameter = 0;
+    std::vector<Eigen::Index> histories; ///< Of each of its parameters, from its first one on.
+
+    Eigen::Index parameters() const { return std::ssize (histories); }
+    Eigen::Index historyCount() const { return histories.back() + 1; }
+};
+
+std::vector<OfMode> byMode (const ParameterEffects& effects)
+{
+    std::vector<OfMode> all;
+
+    for (std::size_t p = 0; p < effects.ofParameters.size(); ++p)
+    {
+        const auto history = effects.ofParameters[p];
+        const auto mode = effects.modes[static_cast<std::size_t> (history)];
+
+        if (all.empty() || all.back().mode != mode)
+            all.push_back ({ mode, history, static_cast<Eigen::Index> (p), {} });
+
+        all.back().histories.push_back (history - all.back().firstHistory);
+    }
+
+    return all;
 }
 } // namespace
 
@@ -50,25 +84,25 @@ ParameterEffects parameterEffects (const LearningPrior& prior, const LearningPar
                                    const LearningState& state, const PlayedVoltages& voltages,
                                    const DrivenModes& motions, Eigen::Index samples)
 {
-    const auto all = parameters.ofModes();
-    ParameterEffects effects { { Eigen::MatrixXd (motions.velocity.driven.rows(), all),
-                                 std::vector<FreeDecay> (parameters.modal.size()) },
-                               Eigen::MatrixXd (state.sensors.rows(), all),
-                               {} };
-    const auto take = [&] (Eigen::Index p, double factor, const Histories& histories, Eigen::Index k)
+    ParameterEffects effects;
+    shareHistories (effects, parameters);
+    effects.histories = { Eigen::MatrixXd (motions.velocity.driven.rows(), std::ssize (effects.modes)),
+                          std::vector<FreeDecay> (effects.modes.size()) };
+    effects.weights.resize (state.sensors.rows(), parameters.ofModes());
+    const auto take = [&] (std::size_t p, double factor, const Histories& histories, Eigen::Index k)
     {
+        const auto to = effects.ofParameters[p];
         const auto& after = histories.after[static_cast<std::size_t> (k)];
-        effects.histories.driven.col (p) = factor * histories.driven.col (k);
-        effects.histories.after[static_cast<std::size_t> (p)] = { factor * after.constant, factor * after.slope };
+        effects.histories.driven.col (to) = factor * histories.driven.col (k);
+        effects.histories.after[static_cast<std::size_t> (to)] = { factor * after.constant, factor * after.slope };
     };
 
-    for (Eigen::Index p = 0; p < all; ++p)
+    for (std::size_t p = 0; p < parameters.modal.size(); ++p)
     {
-        const auto& parameter = parameters.modal[static_cast<std::size_t> (p)];
+        const auto& parameter = parameters.modal[p];
         const auto k = parameter.mode;
-        const auto& sensor = prior.sensors[static_cast<std::size_t> (parameter.sensor)];
-        effects.modes.push_back (k);
-        effects.weights.col (p) = state.sensors.col (k);
+        auto weights = effects.weights.col (static_cast<Eigen::Index> (p));
+        weights = state.sensors.col (k);
 
         if (parameter.kind == ParameterKind::frequency)
             take (p, prior.deviations.frequencies[k], motions.byFrequency, k);
@@ -77,8 +111,8 @@ ParameterEffects parameterEffects (const LearningPrior& prior, const LearningPar
         else if (parameter.kind == ParameterKind::sensor)
         {
             take (p, 1, motions.velocity, k);
-            effects.weights.col (p).setZero();
-            effects.weights (parameter.sensor, p) = sensor.deviations[k];
+            weights.setZero();
+            weights[parameter.sensor] = prior.sensors[static_cast<std::size_t> (parameter.sensor)].deviations[k];
         }
     }
 
@@ -109,7 +143,7 @@ Eigen::MatrixXd productsWith (const ParameterEffects& effects, const Eigen::Vect
         products.row (p) +=
             parts.col (p).transpose() * ofModes.middleRows<4> (4 * effects.modes[static_cast<std::size_t> (p)]);
 
-    return products;
+    return products (effects.ofParameters, Eigen::all);
 }
 
 void takeGram (const ParameterEffects& effects, const Eigen::MatrixXd& weighted, const Eigen::VectorXcd& logarithms,
@@ -118,27 +152,31 @@ void takeGram (const ParameterEffects& effects, const Eigen::MatrixXd& weighted,
     const auto& histories = effects.histories;
     const auto parts = histories.parts();
     const auto rest = samples - histories.driven.rows();
-    const auto begins = beginsOfModes (effects.modes);
-    addGram (gram, 1, histories.driven.transpose());
-    parallelFor (begins.size() - 1,
-                 [&] (std::size_t i)
-                 {
-                     const auto row = begins[i], rows = begins[i + 1] - row;
-                     const auto mode = logarithms[effects.modes[static_cast<std::size_t> (row)]];
+    const auto modes = byMode (effects);
+    Eigen::MatrixXd products = Eigen::MatrixXd::Zero (parts.cols(), parts.cols());
+    addGram (products, 1, histories.driven.transpose());
+    parallelFor (
+        modes.size(),
+        [&] (std::size_t i)
+        {
+            const auto& row = modes[i];
+            const auto ofRow = parts.middleCols (row.firstHistory, row.historyCount());
 
-                     for (std::size_t j = 0; j <= i; ++j)
-                     {
-                         const auto column = begins[j], columns = begins[j + 1] - column;
-                         const auto other = logarithms[effects.modes[static_cast<std::size_t> (column)]];
-                         const Eigen::Matrix4Xd right =
-                             decayProducts (mode, other, rest) * parts.middleCols (column, columns);
-                         auto block = gram.block (row, column, rows, columns);
-                         block += parts.middleCols (row, rows).transpose().lazyProduct (right);
-                         block.array() *= effects.weights.middleCols (row, rows)
-                                              .transpose()
-                                              .lazyProduct (weighted.middleCols (column, columns))
-                                              .array();
-                     }
-                 });
+            for (std::size_t j = 0; j <= i; ++j)
+            {
+                const auto& column = modes[j];
+                auto block =
+                    products.block (row.firstHistory, column.firstHistory, row.historyCount(), column.historyCount());
+                const Eigen::Matrix4Xd right = decayProducts (logarithms[row.mode], logarithms[column.mode], rest)
+                                               * parts.middleCols (column.firstHistory, column.historyCount());
+                block += ofRow.transpose().lazyProduct (right);
+                gram.block (row.firstParameter, column.firstParameter, row.parameters(), column.parameters()) =
+                    block (row.histories, column.histories)
+                        .cwiseProduct (
+                            effects.weights.middleCols (row.firstParameter, row.parameters())
+                                .transpose()
+                                .lazyProduct (weighted.middleCols (column.firstParameter, column.parameters())));
+            }
+        });
 }
 } // namespace antinode

@@ -7,12 +7,14 @@
 
 namespace antinode
 {
-/** Every modal parameter's effect on the sensors: a history in time, and how much of it each hears. */
+/** Every modal parameter's effect on the sensors: a history in time, which those of all sensors share, and how much of
+    it each hears. */
 struct ParameterEffects
 {
-    Histories histories;             ///< P
-    Eigen::MatrixXd weights;         ///< N x P
-    std::vector<Eigen::Index> modes; ///< P: whose it is; those of one mode follow each other.
+    Histories histories;                    ///< H
+    std::vector<Eigen::Index> modes;        ///< H: whose it is; those of one mode follow each other.
+    std::vector<Eigen::Index> ofParameters; ///< P: each one's history, ascending.
+    Eigen::MatrixXd weights;                ///< N x P
 };
 
 /** Of a recording in a state.
@@ -21,7 +23,7 @@ struct ParameterEffects
 ParameterEffects parameterEffects (const LearningPrior&, const LearningParameters&, const LearningState&,
                                    const PlayedVoltages&, const DrivenModes& motions, Eigen::Index samples);
 
-/** Inner products of their histories with signals: samples x columns in, P x columns out.
+/** Inner products of each one's history with signals: samples x columns in, P x columns out.
     @param logarithms  as decayLogarithms
     [worker] */
 Eigen::MatrixXd productsWith (const ParameterEffects&, const Eigen::VectorXcd& logarithms,

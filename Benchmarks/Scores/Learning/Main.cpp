@@ -25,6 +25,7 @@
 
 // The table of learning from plays, some minutes by hand: Docs/Decisions/0110-learning-from-plays.md.
 // Environment: KNOWS_DELAY=1 (else it is looked for up to 30 ms), CUBIC, RETUNE=1: after one measurement and retune,
+// UNSURE=1: by what `antinode learn` takes for unknown of shapes at sensors, gains and mixtures of modes,
 // REACH and BEYOND: highest frequency of the learner's model and of the bench's, by the highest known one. Usage:
 // antinode_learning_scores DEVICE FOCUS SCATTER_PERCENT SENSORS IDLE PASSES TRIALS [FIRST_SEED]
 using namespace antinode;
@@ -143,6 +144,7 @@ int main (int count, char** arguments)
               first = count > 8 ? std::atoi (arguments[8]) : 1;
     const double cubic = std::getenv ("CUBIC") ? std::atof (std::getenv ("CUBIC")) : 0.01;
     const bool retunes = std::getenv ("RETUNE") != nullptr;
+    const bool isUnsure = std::getenv ("UNSURE") != nullptr;
     const bool knowsDelay = std::getenv ("KNOWS_DELAY") != nullptr;
     const double beyond = std::getenv ("BEYOND") ? std::atof (std::getenv ("BEYOND")) : 3.5,
                  reach = std::getenv ("REACH") ? std::atof (std::getenv ("REACH")) : 2.5;
@@ -154,7 +156,8 @@ int main (int count, char** arguments)
     of.finer = solveWide (device, designed, beyond * designed.frequencyHz (designed.modes() - 1), true).model;
     std::printf ("%td modes known, %td in the learner's model, %td played\n", designed.modes(),
                  of.nominal.model.modes(), of.finer.modes());
-    const auto deviations = sameSpread (of.nominal.model.modes(), scatter, 0.1, 0.05);
+    const auto deviations = isUnsure ? usualDeviations (of.nominal.model)
+                                     : sameSpread (of.nominal.model.modes(), scatter, 0.1, 0.05);
     std::vector<double> before, after, seconds;
     int worse = 0, rejected = 0;
 
@@ -188,7 +191,8 @@ int main (int count, char** arguments)
                         { scatter, 0.1, 0.05, 0.003 });
 
         for (int m = 0; m < sensorCount; ++m)
-            sensors.push_back ({ shapesAt (nominal.model, points (m, 0), points (m, 1)) });
+            sensors.push_back (isUnsure ? sensorAt (nominal.model, points (m, 0), points (m, 1), 0.002)
+                                        : Sensor { shapesAt (nominal.model, points (m, 0), points (m, 1)) });
 
         auto idleModel = nominal;
         auto idleTruth = truth;
