@@ -291,7 +291,7 @@ TEST_CASE ("A change of latency reaches the host", "[vst3]")
     plugin.handler.restartFlags = 0;
     plugin.controller->setParamNormalized (plugin.parameter (u"Focus on the note"), 1);
 
-    for (int i = 0; i < 500 && (plugin.handler.restartFlags & Vst::kLatencyChanged) == 0; ++i)
+    for (int i = 0; i < 6000 && (plugin.handler.restartFlags & Vst::kLatencyChanged) == 0; ++i)
         runHostLoop (std::chrono::milliseconds (10));
 
     CHECK ((plugin.handler.restartFlags & Vst::kLatencyChanged) != 0);

@@ -22,7 +22,8 @@ struct AudioFindings
     bool isHeard = false;
 };
 
-/** Plays notes and moves parameters, and counts what process() asks for. */
+/** Plays notes and moves parameters, and counts what process() asks for. Goes on, with parameters as they are, until a
+    focus is heard: a busy machine designs late. */
 AudioFindings playGuarded (RawVst3& plugin, int ceramics)
 {
     AudioFindings findings;
@@ -31,7 +32,7 @@ AudioFindings playGuarded (RawVst3& plugin, int ceramics)
     const auto arm = plugin.parameter (u"Arm"), trim = plugin.parameter (u"Output trim"),
                gain = plugin.parameter (u"Monitor gain");
 
-    for (int i = 0; i < blocks; ++i)
+    for (int i = 0; i < blocks || ! findings.isHeard; ++i)
     {
         BareBlock block (length, { ceramics, 2 });
 
@@ -39,7 +40,7 @@ AudioFindings playGuarded (RawVst3& plugin, int ceramics)
         block.changes.add (gain, 0, 0.5 + 0.001 * (i % 100));
 
         // Now and then another focus or path, so that some are played too. Not the bypass, nor what arms and trims.
-        if (i % 20 == 0 && parameter.id != arm && parameter.id != trim
+        if (i < blocks && i % 20 == 0 && parameter.id != arm && parameter.id != trim
             && (parameter.flags & Vst::ParameterInfo::kIsBypass) == 0)
             block.changes.add (parameter.id, 0, static_cast<double> (random() % 1001) / 1000);
 

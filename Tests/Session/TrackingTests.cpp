@@ -338,13 +338,13 @@ TEST_CASE ("What cannot be tracked is said in a sentence", "[session][tracking]"
     tracking.ceramic = 8;
     played.session.tracking().setSettings (tracking);
 
-    for (int i = 0; i < 400 && played.session.tracking().status()->state != TrackingState::impossible; ++i)
+    while (played.session.tracking().status()->state != TrackingState::impossible)
         std::this_thread::sleep_for (std::chrono::milliseconds (5));
 
     CHECK (played.session.tracking().status()->reason == "tracking: ceramic 9 is not on the device; allowed: 1 to 8");
     played.session.tracking().setSettings ({});
 
-    for (int i = 0; i < 400 && played.session.tracking().status()->state != TrackingState::off; ++i)
+    while (played.session.tracking().status()->state != TrackingState::off)
         std::this_thread::sleep_for (std::chrono::milliseconds (5));
 
     CHECK (played.session.tracking().status()->state == TrackingState::off);

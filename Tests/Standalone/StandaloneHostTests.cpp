@@ -145,7 +145,7 @@ TEST_CASE ("a program that plays foci listens to the first open input")
     const std::vector<float> broken (4800, std::numeric_limits<float>::quiet_NaN());
     const std::array<const float*, 1> sources { broken.data() };
 
-    for (int i = 0; i < 200 && session.tracking().status()->state != TrackingState::lost; ++i)
+    for (int i = 0; i < 6000 && session.tracking().status()->state != TrackingState::lost; ++i)
     {
         host.callback().audioDeviceIOCallbackWithContext (sources.data(), 1, nullptr, 0, 4800, {});
         std::this_thread::sleep_for (std::chrono::milliseconds (20));

@@ -56,7 +56,7 @@ TEST_CASE ("a touch from the network plays a focus")
     juce::AudioBuffer<float> buffer (10, 256);
     juce::MidiBuffer midi;
 
-    for (int i = 0; i < 500 && processor.session().meters().triggered() == 0; ++i)
+    for (int i = 0; i < 6000 && processor.session().meters().triggered() == 0; ++i)
     {
         processor.processBlock (buffer, midi);
         juce::Thread::sleep (10);

@@ -266,9 +266,9 @@ TEST_CASE ("While fingers move the foci from before play on, where fingers rest 
     REQUIRE (plays (processor, FociUnderFingers::designing));
 
     // One that moves on ends the work, and there is a whole bank to play.
-    for (int i = 0; i < 40 && processor.session().fociUnderFingers() != FociUnderFingers::outdated; ++i)
+    for (int i = 0; i < 6000 && processor.session().fociUnderFingers() != FociUnderFingers::outdated; ++i)
     {
-        processor.parameters().setValues ({ { "finger3_x", 55 + i } });
+        processor.parameters().setValues ({ { "finger3_x", 55 + i % 40 } });
         voltagesOf (processor, noTracks().leftCols (512), 512);
         std::this_thread::sleep_for (std::chrono::milliseconds (10));
     }

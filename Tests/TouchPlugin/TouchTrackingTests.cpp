@@ -117,7 +117,7 @@ struct TrackedTouch
         const auto seen = status().trace.size();
         const auto isLearning = status().state != TrackingState::paused && status().state != TrackingState::frozen;
 
-        for (int i = 0; i < 300 && isLearning && status().trace.size() == seen; ++i)
+        for (int i = 0; i < 6000 && isLearning && status().trace.size() == seen; ++i)
             std::this_thread::sleep_for (std::chrono::milliseconds (10));
     }
 

@@ -149,7 +149,7 @@ TEST_CASE ("Packets of OSC put fingers down, and what is no place is counted and
     send (3, 0.5F, -0.01F);
     send (-1, 0.5F, 0.5F);
 
-    for (int i = 0; i < 500 && network.counters().packets < 6; ++i)
+    for (int i = 0; i < 6000 && network.counters().packets < 6; ++i)
         std::this_thread::sleep_for (std::chrono::milliseconds (10));
 
     REQUIRE (network.counters().packets == 6);
