@@ -1,7 +1,11 @@
 #include "FrequencyDrift.h"
 
+#include "KnownModes.h"
+
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace antinode
 {
@@ -66,24 +70,35 @@ ModalModel updated (ModalModel model, const ModeUpdate& update)
     return model;
 }
 
+std::optional<double> usualModelError (const ModalModel& model)
+{
+    const KnownSpread spread;
+    return model.origin.source == ModeSource::drawn ? std::optional (std::hypot (spread.frequency, spread.drift))
+                                                    : std::nullopt;
+}
+
+ModalModel withModes (ModalModel model, const std::vector<Eigen::Index>& modes)
+{
+    model.angularFrequencies = model.angularFrequencies (modes).eval();
+    model.dampingRatios = model.dampingRatios (modes).eval();
+    model.shapes = model.shapes (Eigen::all, modes).eval();
+    model.participation = model.participation (modes, Eigen::all).eval();
+
+    if (model.slopes.size() > 0)
+        model.slopes = model.slopes (Eigen::all, modes).eval();
+
+    if (model.frequencyErrors.size() > 0)
+        model.frequencyErrors = model.frequencyErrors (modes).eval();
+
+    return model;
+}
+
 ModalModel ascending (ModalModel model)
 {
     std::vector<Eigen::Index> order (static_cast<std::size_t> (model.modes()));
     std::iota (order.begin(), order.end(), 0);
     std::stable_sort (order.begin(), order.end(),
                       [&model] (auto a, auto b) { return model.angularFrequencies[a] < model.angularFrequencies[b]; });
-    auto result = model;
-    result.angularFrequencies = model.angularFrequencies (order);
-    result.dampingRatios = model.dampingRatios (order);
-    result.shapes = model.shapes (Eigen::all, order);
-    result.participation = model.participation (order, Eigen::all);
-
-    if (model.slopes.size() > 0)
-        result.slopes = model.slopes (Eigen::all, order);
-
-    if (model.frequencyErrors.size() > 0)
-        result.frequencyErrors = model.frequencyErrors (order);
-
-    return result;
+    return withModes (std::move (model), order);
 }
 } // namespace antinode

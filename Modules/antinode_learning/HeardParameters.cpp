@@ -1,6 +1,7 @@
 #include "HeardParameters.h"
 
 #include "DrivenModes.h"
+#include "ResponseEquations.h"
 #include "UsualDeviations.h"
 
 #include <antinode_numerics/DenseKernels.h>
@@ -168,9 +169,7 @@ std::vector<SharedParameter> sharedOf (const LearningPrior& prior)
 
     return shared;
 }
-} // namespace
-
-LearningParameters heardParameters (const LearningPrior& prior)
+std::vector<std::vector<LearningParameter>> heardInRecordings (const LearningPrior& prior)
 {
     std::vector<std::vector<LearningParameter>> ofModes (static_cast<std::size_t> (prior.model.modes()));
     const auto known = knownEnergies (prior);
@@ -180,9 +179,17 @@ LearningParameters heardParameters (const LearningPrior& prior)
                      const auto k = static_cast<Eigen::Index> (index);
                      ofModes[index] = parametersOf (prior, k, known.col (k));
                  });
+    return ofModes;
+}
+} // namespace
+
+LearningParameters heardParameters (const LearningPrior& prior)
+{
+    const auto ofModes =
+        prior.recordings.empty() ? heardInResponses (prior, leastInformation) : heardInRecordings (prior);
     LearningParameters parameters;
     parameters.shared = sharedOf (prior);
-    parameters.recordings = static_cast<Eigen::Index> (prior.recordings.size());
+    parameters.delays = prior.delays().size();
 
     for (Eigen::Index i = 0; i < prior.distortionDeviations.size(); ++i)
         if (prior.distortionDeviations[i] > 0)

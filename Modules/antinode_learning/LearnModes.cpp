@@ -54,104 +54,6 @@ double longestTime (const std::vector<PlayedRecording>& recordings)
     return longest;
 }
 
-/** What is left of a parameter's deviation, of all: the roots of the diagonal of the inverse of the matrix, of those of
-    modes with what they share. The inverse of the factor is lower too, so that each block of columns begins at its own
-    rows. */
-Eigen::VectorXd deviationsLeft (const Eigen::MatrixXd& factored, const Eigen::MatrixXd& sharedEffects)
-{
-    const auto modal = sharedEffects.rows(), shared = sharedEffects.cols();
-    constexpr Eigen::Index width = 256; // columns at a time
-    Eigen::VectorXd left (factored.rows());
-
-    for (Eigen::Index first = 0; first < factored.rows(); first += width)
-    {
-        const auto rows = factored.rows() - first, columns = std::min (width, rows);
-        Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity (rows, columns);
-
-        if (const auto some = std::min (columns, modal - first); some > 0)
-            inverse.block (modal - first, 0, shared, some) = sharedEffects.middleRows (first, some).transpose();
-
-        solveLower (factored.bottomRightCorner (rows, rows), inverse);
-        left.segment (first, columns) = inverse.colwise().norm();
-    }
-
-    return left;
-}
-
-/** Shapes of modes, in columns, each with its share of the next one. */
-Eigen::MatrixXd mixed (const Eigen::MatrixXd& shapes, const Eigen::VectorXd& mixtures)
-{
-    auto result = shapes;
-
-    for (Eigen::Index k = 0; k + 1 < shapes.cols(); ++k)
-    {
-        result.col (k) += mixtures[k] * shapes.col (k + 1);
-        result.col (k + 1) -= mixtures[k] * shapes.col (k);
-    }
-
-    return result;
-}
-
-LearntModes learntFrom (const LearningPrior& prior, const LearningProblem& problem, const LearningSolution& solution)
-{
-    const auto state = problem.state (solution.values);
-    const auto left = deviationsLeft (solution.factored, problem.all().sharedEffects);
-    const auto& deviations = prior.deviations;
-    LearntModes learnt { prior.model,
-                         prior.sensors,
-                         state.delays,
-                         state.distortions,
-                         prior.distortionDeviations,
-                         deviations.frequencies,
-                         deviations.dampings,
-                         prior.deviating.participation.rowwise().norm().cwiseQuotient (
-                             prior.modes.participation.rowwise().norm().cwiseMax (1e-300)),
-                         solution.residual,
-                         solution.unexplained,
-                         solution.distance,
-                         solution.largestMove,
-                         0,
-                         0,
-                         state.mixtures };
-    learnt.model.angularFrequencies = state.model.angularFrequencies;
-    learnt.model.dampingRatios = state.model.dampingRatios;
-    learnt.model.participation = state.model.participation;
-    learnt.model.shapes = mixed (prior.model.shapes, state.mixtures);
-    learnt.model.slopes = mixed (prior.model.slopes, state.mixtures);
-
-    for (std::size_t m = 0; m < learnt.sensors.size(); ++m)
-        learnt.sensors[m].shapes = state.sensors.row (static_cast<Eigen::Index> (m));
-
-    const auto& distorting = problem.all().parameters.distorting;
-
-    for (std::size_t i = 0; i < distorting.size(); ++i)
-        learnt.distortionDeviations[distorting[i]] *=
-            left[problem.all().parameters.distortion (static_cast<Eigen::Index> (i))];
-
-    for (std::size_t p = 0; p < problem.all().parameters.modal.size(); ++p)
-    {
-        const auto& parameter = problem.all().parameters.modal[p];
-        const auto share = left[static_cast<Eigen::Index> (p)];
-        const auto k = parameter.mode;
-
-        if (parameter.kind == ParameterKind::frequency)
-            learnt.frequencyDeviations[k] *= share;
-        else if (parameter.kind == ParameterKind::damping)
-            learnt.dampingDeviations[k] *= share;
-        else if (parameter.kind == ParameterKind::participation)
-            // Each heard combination takes its part of the mean square over all ceramics.
-            learnt.participationDeviations[k] =
-                std::sqrt (std::max (0.0, std::pow (learnt.participationDeviations[k], 2)
-                                              - (1 - share * share)
-                                                    * prior.deviating.participation.row (k)
-                                                          .cwiseProduct (parameter.ceramics.transpose())
-                                                          .squaredNorm()
-                                                    / prior.modes.participation.row (k).squaredNorm()));
-    }
-
-    return learnt;
-}
-
 bool isMissed (double residual, double largestMove)
 {
     return ! (residual < missed) || isUnlikelyMove (largestMove);
@@ -194,24 +96,6 @@ bool believeWhatIsLeft (LearningPrior& prior, const std::vector<Eigen::VectorXd>
     return changes;
 }
 
-/** Values without what they say of a sensor. */
-Eigen::VectorXd withoutSensor (Eigen::VectorXd values, const LearningParameters& parameters, Eigen::Index sensor)
-{
-    using Kind = SharedParameter::Kind;
-
-    for (Eigen::Index p = 0; p < parameters.ofModes(); ++p)
-        if (const auto& one = parameters.modal[static_cast<std::size_t> (p)];
-            one.kind == ParameterKind::sensor && one.sensor == sensor)
-            values[p] = 0;
-
-    for (std::size_t i = 0; i < parameters.shared.size(); ++i)
-        if (const auto& [kind, index] = parameters.shared[i];
-            index == sensor && (kind == Kind::sensorGain || kind == Kind::sensorX || kind == Kind::sensorY))
-            values[parameters.ofModes() + static_cast<Eigen::Index> (i)] = 0;
-
-    return values;
-}
-
 /** Holds sensors back in turn: what the others learn predicts each as well as the device as it was, or better. */
 void holdBack (LearntModes& learnt, LearningPrior& prior, const LearningProblem& problem, const Eigen::VectorXd& values,
                double longest)
@@ -225,8 +109,7 @@ void holdBack (LearntModes& learnt, LearningPrior& prior, const LearningProblem&
 
     const auto& parameters = problem.all().parameters;
     Eigen::VectorXd before = Eigen::VectorXd::Zero (values.size());
-    before.segment (parameters.delay (0), parameters.recordings) =
-        values.segment (parameters.delay (0), parameters.recordings);
+    before.segment (parameters.delay (0), parameters.delays) = values.segment (parameters.delay (0), parameters.delays);
     const auto count = std::min (sensors, most);
     const auto believed = prior.noise;
 
@@ -261,7 +144,7 @@ LearntModes settled (LearningPrior& prior, const LearningProblem& problem, Learn
 
     const auto believed = std::exchange (prior.noise, stated);
     solution = problem.judged (std::move (solution), longest);
-    auto learnt = learntFrom (prior, problem, solution);
+    auto learnt = problem.learnt (solution);
     prior.noise = believed;
     holdBack (learnt, prior, problem, solution.values, longest);
     return learnt;

@@ -52,7 +52,9 @@ Eigen::MatrixXd participationDeviations (const ModalModel& modes, const ModeSpre
 
     for (Eigen::Index k = 0; k < deviations.rows(); ++k)
     {
-        deviations.row (k) = std::pow (spread.participation[k], 2) * squares.row (k);
+        deviations.row (k) =
+            std::pow (spread.participation[k], 2)
+            * (squares.row (k).array() + std::pow (spread.atNodes, 2) * squares.row (k).mean()).matrix();
 
         if (spread.mixing > 0 && spread.mixesForces)
             deviations.row (k) +=
@@ -163,10 +165,11 @@ void apply (LearningState& state, const SharedParameter& parameter, double value
 
 /** 1/V^2, of each ceramic that plays: the deviation by its largest voltage, or by a hundredth of that of all ceramics,
     below which no cube is heard. */
-Eigen::VectorXd distortionDeviationsOf (double deviation, const std::vector<PlayedRecording>& recordings)
+Eigen::VectorXd distortionDeviationsOf (double deviation, Eigen::Index ceramics,
+                                        const std::vector<PlayedRecording>& recordings)
 {
     constexpr double leastShare = 0.01;
-    Eigen::ArrayXd largest = Eigen::ArrayXd::Zero (recordings.front().voltages.rows());
+    Eigen::ArrayXd largest = Eigen::ArrayXd::Zero (ceramics);
 
     for (const auto& recording : recordings)
         if (recording.cubes.size() > 0)
@@ -182,7 +185,7 @@ void requireUsable (const ModalModel& model, const std::vector<Sensor>& sensors,
 {
     requireRealModes (model, "learning from recordings");
     const auto modes = model.modes();
-    require (! recordings.empty() && ! sensors.empty(), "need at least one recording of one sensor");
+    require (! sensors.empty(), "need at least one recording of one sensor");
     require (deviations.frequencies.size() == modes && deviations.dampings.size() == modes
                  && deviations.participation.size() == modes,
              "need the deviations of " + std::to_string (modes) + " modes");
@@ -215,14 +218,16 @@ void requireUsable (const ModalModel& model, const std::vector<Sensor>& sensors,
 }
 
 LearningPrior makePrior (const ModalModel& model, const std::vector<Sensor>& sensors, const ModeSpread& deviations,
-                         const std::vector<PlayedRecording>& recordings)
+                         const std::vector<PlayedRecording>& recordings, HeardResponses* responses)
 {
     requireUsable (model, sensors, deviations, recordings);
+    require (! recordings.empty() || responses != nullptr, "need at least one recording of one sensor");
     LearningPrior prior { model, sensors, deviations, recordings, {}, {}, {}, {}, {}, {} };
-    prior.distortionDeviations = distortionDeviationsOf (deviations.distortion, recordings);
+    prior.distortionDeviations = distortionDeviationsOf (deviations.distortion, model.actuators(), recordings);
     prior.modes.angularFrequencies = model.angularFrequencies;
     prior.modes.dampingRatios = model.dampingRatios;
     prior.modes.participation = model.participation;
+    prior.responses = responses;
     prior.deviating = prior.modes;
     prior.deviating.participation = participationDeviations (prior.modes, deviations);
 
@@ -236,11 +241,22 @@ LearningPrior makePrior (const ModalModel& model, const std::vector<Sensor>& sen
     return prior;
 }
 
+Eigen::VectorXd LearningPrior::delays() const
+{
+    Eigen::VectorXd all (std::ssize (recordings) + (responses != nullptr ? 1 : 0));
+
+    for (std::size_t r = 0; r < recordings.size(); ++r)
+        all[static_cast<Eigen::Index> (r)] = recordings[r].delay;
+
+    if (responses != nullptr)
+        all[all.size() - 1] = responses->delay;
+
+    return all;
+}
+
 LearningState stateAt (const LearningPrior& prior, const LearningParameters& parameters, const Eigen::VectorXd& values)
 {
-    LearningState state {
-        prior.modes, {}, Eigen::VectorXd (parameters.recordings), Eigen::VectorXd::Zero (prior.model.actuators()), {}
-    };
+    LearningState state { prior.modes, {}, prior.delays(), Eigen::VectorXd::Zero (prior.model.actuators()), {} };
     state.sensors = shapesOf (prior.sensors);
     state.mixtures = Eigen::VectorXd::Zero (prior.model.modes());
 
@@ -252,9 +268,7 @@ LearningState stateAt (const LearningPrior& prior, const LearningParameters& par
 
     state.model.angularFrequencies *= std::exp (prior.deviations.drift * values[parameters.drift()]);
 
-    for (Eigen::Index r = 0; r < parameters.recordings; ++r)
-        state.delays[r] = prior.recordings[static_cast<std::size_t> (r)].delay
-                          + prior.deviations.delay * values[parameters.delay (r)];
+    state.delays += prior.deviations.delay * values.segment (parameters.delay (0), parameters.delays);
 
     for (std::size_t i = 0; i < parameters.distorting.size(); ++i)
     {
@@ -296,10 +310,9 @@ Eigen::VectorXd valuesOf (const LearningPrior& prior, const LearningParameters& 
     Eigen::VectorXd values = Eigen::VectorXd::Zero (parameters.size());
     const auto& deviations = prior.deviations;
 
-    if (deviations.delay > 0)
-        for (Eigen::Index r = 0; r < std::min (parameters.recordings, before.delays.size()); ++r)
-            values[parameters.delay (r)] =
-                (before.delays[r] - prior.recordings[static_cast<std::size_t> (r)].delay) / deviations.delay;
+    if (const auto known = std::min (parameters.delays, before.delays.size()); deviations.delay > 0)
+        values.segment (parameters.delay (0), known) =
+            (before.delays.head (known) - prior.delays().head (known)) / deviations.delay;
 
     for (std::size_t i = 0; i < parameters.distorting.size(); ++i)
         values[parameters.distortion (static_cast<Eigen::Index> (i))] =
@@ -335,6 +348,23 @@ Eigen::VectorXd valuesOf (const LearningPrior& prior, const LearningParameters& 
             }
         }
     }
+
+    return values;
+}
+
+Eigen::VectorXd withoutSensor (Eigen::VectorXd values, const LearningParameters& parameters, Eigen::Index sensor)
+{
+    using Kind = SharedParameter::Kind;
+
+    for (Eigen::Index p = 0; p < parameters.ofModes(); ++p)
+        if (const auto& one = parameters.modal[static_cast<std::size_t> (p)];
+            one.kind == ParameterKind::sensor && one.sensor == sensor)
+            values[p] = 0;
+
+    for (std::size_t i = 0; i < parameters.shared.size(); ++i)
+        if (const auto& [kind, index] = parameters.shared[i];
+            index == sensor && (kind == Kind::sensorGain || kind == Kind::sensorX || kind == Kind::sensorY))
+            values[parameters.ofModes() + static_cast<Eigen::Index> (i)] = 0;
 
     return values;
 }

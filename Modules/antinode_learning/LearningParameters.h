@@ -4,6 +4,8 @@
 #include "PlayedVoltages.h"
 #include "ShiftedSignals.h"
 
+#include <antinode_identification/LineMoments.h>
+
 #include <memory>
 
 namespace antinode
@@ -45,19 +47,19 @@ struct SharedParameter
     Eigen::Index index = 0; ///< Of the ceramic, the sensor or the mode.
 };
 
-/** All unknowns: those of modes, what these share, then the common drift, the delay of each recording, the distortion
-    of each ceramic. */
+/** All unknowns: those of modes, what these share, then the common drift, the delay of each recording and of the
+    responses, the distortion of each ceramic. */
 struct LearningParameters
 {
     std::vector<LearningParameter> modal;
     std::vector<SharedParameter> shared = {};
-    Eigen::Index recordings = 0;
+    Eigen::Index delays = 0;
     std::vector<Eigen::Index> distorting = {}; ///< The ceramics whose distortion is unknown.
 
     Eigen::Index ofModes() const { return std::ssize (modal); }
     Eigen::Index drift() const { return std::ssize (modal) + std::ssize (shared); }
-    Eigen::Index delay (Eigen::Index recording) const { return drift() + 1 + recording; }
-    Eigen::Index distortion (Eigen::Index place) const { return drift() + 1 + recordings + place; }
+    Eigen::Index delay (Eigen::Index i) const { return drift() + 1 + i; }
+    Eigen::Index distortion (Eigen::Index place) const { return drift() + 1 + delays + place; }
     Eigen::Index size() const { return distortion (std::ssize (distorting)); }
 };
 
@@ -66,12 +68,21 @@ struct LearningState
 {
     ModalModel model;            ///< Without the surface and its shapes.
     Eigen::MatrixXd sensors;     ///< N x N_m
-    Eigen::VectorXd delays;      ///< s, of each recording.
+    Eigen::VectorXd delays;      ///< s, of each recording, then of the responses.
     Eigen::VectorXd distortions; ///< N_b, 1/V^2: as of LearntModes.
     Eigen::VectorXd mixtures;    ///< N_m: how much of the next mode each one has, and the next one of it the opposite.
 };
 
-/** What is known before. One thread at a time. */
+/** Frequency responses of the sensors to each ceramic's voltage, as data. */
+struct HeardResponses
+{
+    PreparedResponses& data; ///< Its points are the sensors, its references the ceramics.
+    double delay = 0;        ///< s, as far as it is known.
+    LineMoments moments {};  ///< Of the data, near to the delay that was asked for last.
+    double variance = 1;     ///< What is believed of each value's noise, times its weight.
+};
+
+/** What is known before, and the data: recordings, responses or both. One thread at a time. */
 struct LearningPrior
 {
     const ModalModel& model;
@@ -84,21 +95,28 @@ struct LearningPrior
     std::vector<Eigen::VectorXd> noise;   ///< Of each recording, N: what is believed of it, at least what it says.
     std::vector<PlayedVoltages> voltages; ///< Of each recording.
     std::vector<std::unique_ptr<ShiftedSignals>> signals {}; ///< The same.
+    HeardResponses* responses = nullptr;                     ///< None, or the caller's.
+
+    /** How far the delay of each set of data is known: s. [any] */
+    Eigen::VectorXd delays() const;
 };
 
 /** @throws InputError  where sizes do not agree or a number is not usable [any] */
 void requireUsable (const ModalModel&, const std::vector<Sensor>&, const ModeSpread&,
                     const std::vector<PlayedRecording>&);
 
-/** @throws InputError  as requireUsable [worker] */
+/** What is kept by reference has to stay. @throws InputError  as requireUsable [worker] */
 LearningPrior makePrior (const ModalModel&, const std::vector<Sensor>&, const ModeSpread&,
-                         const std::vector<PlayedRecording>&);
+                         const std::vector<PlayedRecording>&, HeardResponses* = nullptr);
 
 /** @param values  of the parameters, in standard deviations [any] */
 LearningState stateAt (const LearningPrior&, const LearningParameters&, const Eigen::VectorXd& values);
 
 /** What shared parameters change, as values of those of modes: of modes x shared. [any] */
 Eigen::MatrixXd effectsOfShared (const LearningPrior&, const LearningParameters&);
+
+/** Values without what they say of a sensor. [any] */
+Eigen::VectorXd withoutSensor (Eigen::VectorXd values, const LearningParameters&, Eigen::Index sensor);
 
 /** The values of parameters that come nearest to a device that was learnt before. [any] */
 Eigen::VectorXd valuesOf (const LearningPrior&, const LearningParameters&, const LearntModes& before);

@@ -1,6 +1,7 @@
 #include "LearningProblem.h"
 
 #include "HeardParameters.h"
+#include "ResponseEquations.h"
 
 #include <antinode_numerics/BoundedStep.h>
 #include <antinode_numerics/DenseKernels.h>
@@ -17,6 +18,8 @@ namespace antinode
 namespace
 {
 constexpr int mostSteps = 12; // of each length of the records
+constexpr int mostStepsOfResponses = 30;
+constexpr double firstReach = 1, farthestReach = 8; // half widths that responses let a frequency move in a step
 constexpr double gainOfEach =
     0.05; // of the objective for each unknown, in squares of deviations: a step that gains less is the last
 constexpr int stepsToJudge = 4;         // by then what comes close has left the worst behind
@@ -26,11 +29,35 @@ constexpr double farthestFrequency = 8; // deviations: a mode that runs away exp
 constexpr double largestDistortion = 1.0 / 3; // at the largest voltage: beyond it a ceramic would move back
 constexpr double farthestOfOthers = 1e3;      // the same of damping and participation, which take what no parameter has
 
+/** Of each parameter, what responses let it move in a step of reach 1: a half width of a frequency, of the logarithm of
+    a damping ratio, and for the delay a radian of the highest mode. */
+Eigen::VectorXd stepLimitsOf (const LearningPrior& prior, const LearningParameters& parameters)
+{
+    Eigen::VectorXd limits = Eigen::VectorXd::Constant (parameters.size(), std::numeric_limits<double>::infinity());
+
+    if (prior.responses == nullptr)
+        return limits;
+
+    for (Eigen::Index p = 0; p < parameters.ofModes(); ++p)
+    {
+        const auto& [kind, mode, sensor, ceramics, information] = parameters.modal[static_cast<std::size_t> (p)];
+
+        if (kind == ParameterKind::frequency)
+            limits[p] = prior.model.dampingRatios[mode] / prior.deviations.frequencies[mode];
+        else if (kind == ParameterKind::damping)
+            limits[p] = 1 / prior.deviations.dampings[mode];
+    }
+
+    limits[parameters.delay (parameters.delays - 1)] =
+        1 / (prior.model.angularFrequencies.maxCoeff() * prior.deviations.delay);
+    return limits;
+}
+
 /** Those of modes that recordings tell more of than a bound, the drift and the delays. Distortions are unknowns
     only where all parameters are. */
 Unknowns unknownsAbove (double information, const LearningParameters& all)
 {
-    Unknowns unknowns { { {}, all.shared, all.recordings }, {}, {} };
+    Unknowns unknowns { { {}, all.shared, all.delays }, {}, {} };
 
     for (Eigen::Index p = 0; p < all.ofModes(); ++p)
         if (const auto& parameter = all.modal[static_cast<std::size_t> (p)]; parameter.information > information)
@@ -58,14 +85,14 @@ double distanceOf (double objective, double samples)
     return std::sqrt (objective / samples);
 }
 
-double distanceOf (const RecordingMisfit& misfit, const Eigen::VectorXd& values)
+double distanceOf (const DataMisfit& misfit, const Eigen::VectorXd& values)
 {
     return distanceOf (misfit.residual + values.squaredNorm(), misfit.samples);
 }
 
 /** Shared parameters change what those of modes do: their rows of the equations follow. A mixture is of few modes: most
     of its effects are 0. */
-void addShared (RecordingEquations& equations, const Unknowns& unknowns)
+void addShared (DataEquations& equations, const Unknowns& unknowns)
 {
     const auto& effects = unknowns.sharedEffects;
     const auto modal = effects.rows(), shared = effects.cols(), others = equations.matrix.rows() - modal - shared;
@@ -93,6 +120,44 @@ void addShared (RecordingEquations& equations, const Unknowns& unknowns)
     equations.right.segment (modal, shared) = effects.transpose() * equations.right.head (modal);
 }
 
+/** What is left of a parameter's deviation, of all: the roots of the diagonal of the inverse of the matrix, of those of
+    modes with what they share. The inverse of the factor is lower too, so that each block of columns begins at its own
+    rows. */
+Eigen::VectorXd deviationsLeft (const Eigen::MatrixXd& factored, const Eigen::MatrixXd& sharedEffects)
+{
+    const auto modal = sharedEffects.rows(), shared = sharedEffects.cols();
+    constexpr Eigen::Index width = 256; // columns at a time
+    Eigen::VectorXd left (factored.rows());
+
+    for (Eigen::Index first = 0; first < factored.rows(); first += width)
+    {
+        const auto rows = factored.rows() - first, columns = std::min (width, rows);
+        Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity (rows, columns);
+
+        if (const auto some = std::min (columns, modal - first); some > 0)
+            inverse.block (modal - first, 0, shared, some) = sharedEffects.middleRows (first, some).transpose();
+
+        solveLower (factored.bottomRightCorner (rows, rows), inverse);
+        left.segment (first, columns) = inverse.colwise().norm();
+    }
+
+    return left;
+}
+
+/** Shapes of modes, in columns, each with its share of the next one. */
+Eigen::MatrixXd mixed (const Eigen::MatrixXd& shapes, const Eigen::VectorXd& mixtures)
+{
+    auto result = shapes;
+
+    for (Eigen::Index k = 0; k + 1 < shapes.cols(); ++k)
+    {
+        result.col (k) += mixtures[k] * shapes.col (k + 1);
+        result.col (k + 1) -= mixtures[k] * shapes.col (k);
+    }
+
+    return result;
+}
+
 /** Samples of a recording up to a time. */
 Eigen::Index samplesOf (const PlayedRecording& recording, double time)
 {
@@ -103,7 +168,8 @@ Eigen::Index samplesOf (const PlayedRecording& recording, double time)
 
 LearningProblem::LearningProblem (const LearningPrior& given)
     : prior (given), every (allOf (heardParameters (given))), clear (unknownsAbove (clearlyTold, every.parameters)),
-      farthest (Eigen::VectorXd::Constant (every.parameters.size(), farthestOfOthers))
+      farthest (Eigen::VectorXd::Constant (every.parameters.size(), farthestOfOthers)),
+      stepLimits (stepLimitsOf (given, every.parameters))
 {
     every.sharedEffects = effectsOfShared (given, every.parameters);
     clear.sharedEffects = effectsOfShared (given, clear.parameters);
@@ -124,14 +190,18 @@ LearningState LearningProblem::state (const Eigen::VectorXd& values) const
 LearningSolution LearningProblem::solve (const Unknowns& unknowns, Eigen::VectorXd values, double time, double enough,
                                          double furthest, double hopeless) const
 {
-    const Eigen::VectorXd bounds = farthest (unknowns.places).cwiseMin (furthest);
-    const auto least = gainOfEach * static_cast<double> (unknowns.parameters.size());
+    const Eigen::VectorXd bounds = farthest (unknowns.places).cwiseMin (furthest),
+                          limits = stepLimits (unknowns.places);
+    const auto steps = prior.responses != nullptr ? mostStepsOfResponses : mostSteps;
+    // Responses have no lengths to grow by: what their last step leaves stays.
+    const auto least =
+        prior.responses != nullptr ? gainOfEach : gainOfEach * static_cast<double> (unknowns.parameters.size());
     LearningSolution solution { std::move (values), {}, 0, 0, 0, 0 };
-    auto gain = std::numeric_limits<double>::infinity(), objective = 0.0;
+    auto gain = std::numeric_limits<double>::infinity(), objective = 0.0, reach = firstReach;
     BoundedStep step;
     Eigen::MatrixXd matrix; // the step's
 
-    for (int i = 0; i < mostSteps && gain >= least + enough * objective; ++i)
+    for (int i = 0; i < steps && gain >= least + enough * objective; ++i)
     {
         step.factored.resize (0, 0); // before others of its size are made
         matrix.resize (0, 0);
@@ -139,7 +209,8 @@ LearningSolution LearningProblem::solve (const Unknowns& unknowns, Eigen::Vector
         const auto before = linear.misfit.residual + solution.values.squaredNorm();
         objective = before;
         const Eigen::VectorXd from = solution.values (unknowns.places);
-        step = boundedStep (linear.matrix, linear.right, from, bounds);
+        step = boundedStep (linear.matrix, linear.right, (-bounds - from).cwiseMax (-reach * limits),
+                            (bounds - from).cwiseMin (reach * limits));
         matrix = std::move (linear.matrix);
 
         for (auto share = 1.0; share >= smallestShare && ! (objective < before); share /= 2)
@@ -152,6 +223,7 @@ LearningSolution LearningProblem::solve (const Unknowns& unknowns, Eigen::Vector
             {
                 objective = reached;
                 solution.values = next;
+                reach = share < 1 ? share * reach : std::min (2 * reach, farthestReach);
             }
         }
 
@@ -180,12 +252,71 @@ LearningSolution LearningProblem::judged (LearningSolution solution, double time
     return solution;
 }
 
+LearntModes LearningProblem::learnt (const LearningSolution& solution) const
+{
+    const auto now = state (solution.values);
+    const auto left = deviationsLeft (solution.factored, every.sharedEffects);
+    const auto& deviations = prior.deviations;
+    LearntModes learnt { prior.model,
+                         prior.sensors,
+                         now.delays,
+                         now.distortions,
+                         prior.distortionDeviations,
+                         deviations.frequencies,
+                         deviations.dampings,
+                         prior.deviating.participation.rowwise().norm().cwiseQuotient (
+                             prior.modes.participation.rowwise().norm().cwiseMax (1e-300)),
+                         solution.residual,
+                         solution.unexplained,
+                         solution.distance,
+                         solution.largestMove,
+                         0,
+                         0,
+                         now.mixtures };
+    learnt.model.angularFrequencies = now.model.angularFrequencies;
+    learnt.model.dampingRatios = now.model.dampingRatios;
+    learnt.model.participation = now.model.participation;
+    learnt.model.shapes = mixed (prior.model.shapes, now.mixtures);
+    learnt.model.slopes = mixed (prior.model.slopes, now.mixtures);
+
+    for (std::size_t m = 0; m < learnt.sensors.size(); ++m)
+        learnt.sensors[m].shapes = now.sensors.row (static_cast<Eigen::Index> (m));
+
+    const auto& distorting = every.parameters.distorting;
+
+    for (std::size_t i = 0; i < distorting.size(); ++i)
+        learnt.distortionDeviations[distorting[i]] *= left[every.parameters.distortion (static_cast<Eigen::Index> (i))];
+
+    for (std::size_t p = 0; p < every.parameters.modal.size(); ++p)
+    {
+        const auto& parameter = every.parameters.modal[p];
+        const auto share = left[static_cast<Eigen::Index> (p)];
+        const auto k = parameter.mode;
+
+        if (parameter.kind == ParameterKind::frequency)
+            learnt.frequencyDeviations[k] *= share;
+        else if (parameter.kind == ParameterKind::damping)
+            learnt.dampingDeviations[k] *= share;
+        else if (parameter.kind == ParameterKind::participation)
+            // Each heard combination takes its part of the mean square over all ceramics.
+            learnt.participationDeviations[k] =
+                std::sqrt (std::max (0.0, std::pow (learnt.participationDeviations[k], 2)
+                                              - (1 - share * share)
+                                                    * prior.deviating.participation.row (k)
+                                                          .cwiseProduct (parameter.ceramics.transpose())
+                                                          .squaredNorm()
+                                                    / prior.modes.participation.row (k).squaredNorm()));
+    }
+
+    return learnt;
+}
+
 std::vector<Eigen::VectorXd> LearningProblem::noiseLeft (const Eigen::VectorXd& values, double time) const
 {
     const auto now = state (values);
     std::vector<Eigen::VectorXd> left;
 
-    for (Eigen::Index r = 0; r < every.parameters.recordings; ++r)
+    for (Eigen::Index r = 0; r < std::ssize (prior.recordings); ++r)
     {
         const auto residual = recordingResidual (prior, now, r, samplesOf (recording (r), time));
         Eigen::VectorXd deviations (residual.cols());
@@ -204,7 +335,7 @@ double LearningProblem::unexplainedShare (const Eigen::VectorXd& values, Eigen::
     const auto now = state (values);
     double residual = 0, signal = 0;
 
-    for (Eigen::Index r = 0; r < every.parameters.recordings; ++r)
+    for (Eigen::Index r = 0; r < std::ssize (prior.recordings); ++r)
     {
         const auto samples = samplesOf (recording (r), time);
         residual += recordingResidual (prior, now, r, samples).col (sensor).squaredNorm();
@@ -239,28 +370,33 @@ double LearningProblem::largestMoveHeardWell (const Eigen::VectorXd& values) con
     return most;
 }
 
-RecordingMisfit LearningProblem::misfit (const LearningState& now, double time) const
+DataMisfit LearningProblem::misfit (const LearningState& now, double time) const
 {
-    RecordingMisfit sum;
+    DataMisfit sum;
 
-    for (Eigen::Index r = 0; r < every.parameters.recordings; ++r)
+    if (prior.responses != nullptr)
+        sum = responseMisfit (prior, now);
+
+    for (Eigen::Index r = 0; r < std::ssize (prior.recordings); ++r)
         sum += recordingMisfit (prior, now, r, samplesOf (recording (r), time));
 
     return sum;
 }
 
 /** Of some unknowns, with what is known of them before. */
-RecordingEquations LearningProblem::equations (const Unknowns& unknowns, const Eigen::VectorXd& values,
-                                               double time) const
+DataEquations LearningProblem::equations (const Unknowns& unknowns, const Eigen::VectorXd& values, double time) const
 {
     const auto now = state (values);
-    RecordingEquations sum;
+    DataEquations sum;
 
-    for (Eigen::Index r = 0; r < every.parameters.recordings; ++r)
+    if (prior.responses != nullptr)
+        sum = responseEquations (prior, unknowns.parameters, now);
+
+    for (Eigen::Index r = 0; r < std::ssize (prior.recordings); ++r)
     {
         auto one = recordingEquations (prior, unknowns.parameters, now, r, samplesOf (recording (r), time));
 
-        if (r == 0)
+        if (sum.right.size() == 0)
         {
             sum = std::move (one);
             continue;

@@ -25,8 +25,8 @@ struct LearningSolution
     double largestMove = 0;               ///< As in LearntModes; by finish.
 };
 
-/** What recordings say of all that they hear, the records up to a time. One thread at a time.
-    Docs/Theory.md, section 7.6. */
+/** What the data say of all that they hear, recordings up to a time. One thread at a time.
+    Docs/Theory.md, sections 7.6 and 8.7. */
 class LearningProblem
 {
 public:
@@ -61,6 +61,9 @@ public:
         [worker] */
     LearningSolution finish (Eigen::VectorXd values, double time) const;
 
+    /** The device by a solution, and what is left of each deviation. [worker] */
+    LearntModes learnt (const LearningSolution&) const;
+
     /** A solution with how well it explains the records, by what is believed of the noise now. [worker] */
     LearningSolution judged (LearningSolution, double time) const;
 
@@ -78,12 +81,13 @@ public:
     double largestMoveHeardWell (const Eigen::VectorXd& values) const;
 
 private:
-    RecordingMisfit misfit (const LearningState&, double time) const;
-    RecordingEquations equations (const Unknowns&, const Eigen::VectorXd& values, double time) const;
+    DataMisfit misfit (const LearningState&, double time) const;
+    DataEquations equations (const Unknowns&, const Eigen::VectorXd& values, double time) const;
     const PlayedRecording& recording (Eigen::Index r) const;
 
     const LearningPrior& prior;
     Unknowns every, clear;
-    Eigen::VectorXd farthest; ///< P, deviations that no value leaves.
+    Eigen::VectorXd farthest;   ///< P, deviations that no value leaves.
+    Eigen::VectorXd stepLimits; ///< P, the same that a step of reach 1 does not leave.
 };
 } // namespace antinode

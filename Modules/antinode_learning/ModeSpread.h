@@ -8,9 +8,10 @@ namespace antinode
 struct ModeSpread
 {
     Eigen::VectorXd frequencies, dampings, participation; ///< N_m each.
-    double drift = 0;                                     ///< Of a factor that all frequencies share.
-    double gain = 0;                                      ///< Of a factor that all participations share.
-    double ceramicGains = 0;                              ///< Of a factor of each ceramic's participations.
+    double atNodes = 0; ///< Of the deviation of a mode's RMS participation, what one has that the model has none of.
+    double drift = 0;   ///< Of a factor that all frequencies share.
+    double gain = 0;    ///< Of a factor that all participations share.
+    double ceramicGains = 0; ///< Of a factor of each ceramic's participations.
     double mixing = 0;       ///< Of what couples two modes, relative to their stiffness: they are each other's mixture.
     bool mixesForces = true; ///< Whether participations are mixed, too, or were measured.
     double delay = 20e-6;    ///< Of each recording's delay, s.

@@ -100,7 +100,7 @@ double surprise (const LearntModes& device, const ModeSpread& deviations, const 
     const std::vector<PlayedRecording> one { withDelay (recording, delay) };
     const auto prior = makePrior (device.model, device.sensors, deviations, one);
     LearningParameters delayOnly;
-    delayOnly.recordings = 1;
+    delayOnly.delays = 1;
     const auto misfit = [&] (double by)
     {
         const auto sum =

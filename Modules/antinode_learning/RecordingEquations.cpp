@@ -51,8 +51,8 @@ Eigen::VectorXd precisionOf (const LearningPrior& prior, Eigen::Index r)
     return prior.noise[static_cast<std::size_t> (r)].cwiseAbs2().cwiseInverse();
 }
 
-RecordingMisfit misfitOf (const Eigen::MatrixXd& residual, const Eigen::MatrixXd& signals, const LearningPrior& prior,
-                          Eigen::Index r)
+DataMisfit misfitOf (const Eigen::MatrixXd& residual, const Eigen::MatrixXd& signals, const LearningPrior& prior,
+                     Eigen::Index r)
 {
     const auto precision = precisionOf (prior, r);
     const auto weighed = [&precision] (const Eigen::MatrixXd& values)
@@ -119,8 +119,8 @@ SharedEffects sharedEffects (const LearningPrior& prior, const LearningParameter
 }
 } // namespace
 
-RecordingEquations recordingEquations (const LearningPrior& prior, const LearningParameters& parameters,
-                                       const LearningState& state, Eigen::Index r, Eigen::Index samples)
+DataEquations recordingEquations (const LearningPrior& prior, const LearningParameters& parameters,
+                                  const LearningState& state, Eigen::Index r, Eigen::Index samples)
 {
     checkWatch();
     const auto voltages = prior.voltages[static_cast<std::size_t> (r)].distorted (state.distortions);
@@ -137,7 +137,7 @@ RecordingEquations recordingEquations (const LearningPrior& prior, const Learnin
     { return products.middleCols (i * sensors, sensors).cwiseProduct (weighted.transpose()).rowwise().sum(); };
     const auto product = [&] (const auto& a, const auto& b)
     { return (a.cwiseProduct (b).colwise().sum() * precision).value(); };
-    RecordingEquations equations { Eigen::MatrixXd::Zero (parameters.size(), parameters.size()), {}, {} };
+    DataEquations equations { Eigen::MatrixXd::Zero (parameters.size(), parameters.size()), {}, {} };
     equations.right = Eigen::VectorXd::Zero (parameters.size());
     equations.right.head (modal) = summed (0);
     takeGram (effects, weighted, logarithms, samples, equations.matrix.topLeftCorner (modal, modal));
@@ -183,8 +183,8 @@ double powerAsWhiteNoise (const Eigen::VectorXd& residual)
     return residual.squaredNorm() / static_cast<double> (residual.size()) * std::max (1.0, narrowness);
 }
 
-RecordingMisfit recordingMisfit (const LearningPrior& prior, const LearningState& state, Eigen::Index r,
-                                 Eigen::Index samples)
+DataMisfit recordingMisfit (const LearningPrior& prior, const LearningState& state, Eigen::Index r,
+                            Eigen::Index samples)
 {
     const auto residual = recordingResidual (prior, state, r, samples);
     const auto& signals = prior.signals[static_cast<std::size_t> (r)]->earlier (state.delays[r], samples);

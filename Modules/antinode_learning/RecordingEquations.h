@@ -5,13 +5,13 @@
 namespace antinode
 {
 /** How well a device explains a recording: sums over all samples of all sensors. */
-struct RecordingMisfit
+struct DataMisfit
 {
     double residual = 0; ///< Of squared residuals over the noise.
     double signal = 0;   ///< Of squared signals over the noise.
     double samples = 0;  ///< How many that are independent, over which white noise sums to as much.
 
-    RecordingMisfit& operator+= (const RecordingMisfit& other)
+    DataMisfit& operator+= (const DataMisfit& other)
     {
         residual += other.residual;
         signal += other.signal;
@@ -22,17 +22,17 @@ struct RecordingMisfit
 
 /** What one recording says of the parameters: the normal equations of the linearised problem, in standard deviations,
     without what was known before. */
-struct RecordingEquations
+struct DataEquations
 {
     Eigen::MatrixXd matrix; ///< P x P, the lower triangle.
     Eigen::VectorXd right;  ///< P
-    RecordingMisfit misfit;
+    DataMisfit misfit;
 };
 
 /** @param samples  how many of the recording, from its beginning
     [worker] Docs/Theory.md, section 7.6. */
-RecordingEquations recordingEquations (const LearningPrior&, const LearningParameters&, const LearningState&,
-                                       Eigen::Index recording, Eigen::Index samples);
+DataEquations recordingEquations (const LearningPrior&, const LearningParameters&, const LearningState&,
+                                  Eigen::Index recording, Eigen::Index samples);
 
 /** What a device does not explain of a recording: samples x N. [worker] */
 Eigen::MatrixXd recordingResidual (const LearningPrior&, const LearningState&, Eigen::Index recording,
@@ -43,6 +43,5 @@ Eigen::MatrixXd recordingResidual (const LearningPrior&, const LearningState&, E
 double powerAsWhiteNoise (const Eigen::VectorXd& residual);
 
 /** The misfit alone. [worker] */
-RecordingMisfit recordingMisfit (const LearningPrior&, const LearningState&, Eigen::Index recording,
-                                 Eigen::Index samples);
+DataMisfit recordingMisfit (const LearningPrior&, const LearningState&, Eigen::Index recording, Eigen::Index samples);
 } // namespace antinode

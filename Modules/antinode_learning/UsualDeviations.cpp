@@ -32,7 +32,7 @@ double shapeShare (const ModalModel& model, Eigen::Index mode, const Eigen::RowV
 
     const auto& points = model.surface.points;
     const auto isAtPoint = points.rows() > 0 && (points.rowwise() - place).rowwise().norm().minCoeff() < atPoint;
-    return isAtPoint ? std::max (leastOfShapes, model.origin.unexplained) : betweenPoints;
+    return isAtPoint ? std::clamp (model.origin.unexplained, leastOfShapes, mostOfShapes) : betweenPoints;
 }
 
 /** What modes change along a step, by places inside the surface: per step, and what a parabola adds. */

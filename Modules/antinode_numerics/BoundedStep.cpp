@@ -31,10 +31,10 @@ struct Held
     Eigen::VectorXd changes; ///< Theirs.
 };
 
-Held heldAt (const Eigen::VectorXi& atBound, const Eigen::VectorXd& values, const Eigen::VectorXd& bounds)
+Held heldAt (const Eigen::VectorXi& atBound, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper)
 {
     auto places = placesWhere (atBound.array() != 0);
-    Eigen::VectorXd changes = (atBound.cast<double>().cwiseProduct (bounds) - values) (places);
+    Eigen::VectorXd changes = (atBound.array() > 0).select (upper, lower) (places);
     return { std::move (places), std::move (changes) };
 }
 
@@ -97,10 +97,10 @@ HeldStep mostlyHeld (const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right
 
 /** Which unknowns are at their bounds after a step: 1 at the upper, -1 at the lower one, 0 at neither.
     @param before  those that were held there in this step
-    @param slope   downhill, after the step
-    @param next    values after it */
-Eigen::VectorXi boundsReached (const Eigen::VectorXi& before, const Eigen::VectorXd& slope, const Eigen::VectorXd& next,
-                               const Eigen::VectorXd& bounds)
+    @param slope   downhill, after the step */
+Eigen::VectorXi boundsReached (const Eigen::VectorXi& before, const Eigen::VectorXd& slope,
+                               const Eigen::VectorXd& change, const Eigen::VectorXd& lower,
+                               const Eigen::VectorXd& upper)
 {
     constexpr double rounding = 1e-9;
     Eigen::VectorXi reached (before.size());
@@ -108,34 +108,35 @@ Eigen::VectorXi boundsReached (const Eigen::VectorXi& before, const Eigen::Vecto
     for (Eigen::Index p = 0; p < reached.size(); ++p)
     {
         const auto isPushedOn = before[p] != 0 && before[p] * slope[p] > 0;
-        const auto isBeyond = before[p] == 0 && std::abs (next[p]) > bounds[p] + rounding;
-        reached[p] = isPushedOn ? before[p] : isBeyond ? (next[p] > 0 ? 1 : -1) : 0;
+        const auto isAbove = before[p] == 0 && change[p] > upper[p] + rounding;
+        const auto isBelow = before[p] == 0 && change[p] < lower[p] - rounding;
+        reached[p] = isPushedOn ? before[p] : isAbove ? 1 : isBelow ? -1 : 0;
     }
 
     return reached;
 }
 } // namespace
 
-BoundedStep boundedStep (const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right, const Eigen::VectorXd& values,
-                         const Eigen::VectorXd& bounds)
+BoundedStep boundedStep (const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right, const Eigen::VectorXd& lower,
+                         const Eigen::VectorXd& upper)
 {
     constexpr int mostRounds = 8; // Seldom more than three; what is left is cut off.
-    BoundedStep result { {}, matrix, Eigen::VectorXi::Zero (values.size()) };
+    BoundedStep result { {}, matrix, Eigen::VectorXi::Zero (right.size()) };
     factorLower (result.factored);
     Eigen::VectorXd half = right;
     solveLower (result.factored, half);
 
     for (int round = 1;; ++round)
     {
-        const auto held = heldAt (result.held, values, bounds);
+        const auto held = heldAt (result.held, lower, upper);
         const auto free = placesWhere (result.held.array() == 0);
         const auto [change, slope] = held.places.size() < free.size() ? heldByForces (result.factored, half, held)
                                                                       : mostlyHeld (matrix, right, free, held);
-        auto reached = boundsReached (result.held, slope, values + change, bounds);
+        auto reached = boundsReached (result.held, slope, change, lower, upper);
 
         if (reached == result.held || round == mostRounds)
         {
-            result.change = (values + change).cwiseMax (-bounds).cwiseMin (bounds) - values;
+            result.change = change.cwiseMax (lower).cwiseMin (upper);
             return result;
         }
 

@@ -3,7 +3,7 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_charts/ModeCharts.h>
 #include <antinode_charts/PlateCharts.h>
-#include <antinode_identification/Retuning.h>
+#include <antinode_identification/FrequencyDrift.h>
 
 #include <algorithm>
 #include <array>

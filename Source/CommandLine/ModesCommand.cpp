@@ -5,7 +5,7 @@
 #include <antinode_documents/MatlabTables.h>
 #include <antinode_documents/ModeTable.h>
 #include <antinode_documents/UniversalModes.h>
-#include <antinode_identification/Retuning.h>
+#include <antinode_identification/FrequencyDrift.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_reports/ModesReport.h>
 #include <antinode_structure/DescribedModel.h>

@@ -70,6 +70,9 @@ void addDeviationOptions (CLI::App& command, RetuneDeviations& deviations)
     add ("--damping-percent", deviations.damping, "Standard deviation of each damping ratio, %");
     add ("--participation-percent", deviations.participation,
          "Standard deviation of each participation, beside a factor of each ceramic, %");
+    command.add_option ("--place-mm", deviations.place, "Standard deviation of each point's place along x and y, mm")
+        ->check (CLI::Range (0.0, 50.0))
+        ->capture_default_str();
 }
 
 void retuneDevice (const RetuneOptions& options)

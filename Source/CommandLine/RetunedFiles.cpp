@@ -23,7 +23,7 @@ Measurement responsesOfFiles (const std::vector<std::string>& names)
 RetunedDevice retuneByFiles (const DeviceDescription& device, const std::vector<std::string>& names,
                              const RetuneDeviations& deviations, bool usesCache)
 {
-    constexpr double percent = 0.01;
+    constexpr double percent = 0.01, millimetre = 1e-3;
     const KnownSpread spread { percent * deviations.frequency, percent * deviations.damping,
                                percent * deviations.participation, percent * deviations.drift };
     auto model = solveDevice (device, {}, usesCache);
@@ -35,7 +35,7 @@ RetunedDevice retuneByFiles (const DeviceDescription& device, const std::vector<
         measured.remarks.emplace_back ("Forces excite the surface: 1 N counts as 1 V of the device.");
     }
 
-    auto retuned = retune (model, measured.responses, spread);
+    auto retuned = retune (model, measured.responses, spread, millimetre * deviations.place);
     return { device, std::move (model), std::move (retuned), std::move (measured.remarks) };
 }
 

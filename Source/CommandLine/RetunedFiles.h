@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_identification/Retuning.h>
+#include <antinode_learning/Retuning.h>
 #include <antinode_responses/MeasuredResponse.h>
 #include <antinode_structure/DeviceDescription.h>
 
@@ -29,6 +29,7 @@ struct RetuneDeviations
     double drift = 3;         ///< %, of what all frequencies share.
     double damping = 30;      ///< %
     double participation = 5; ///< %
+    double place = 1;         ///< mm, of each coordinate of each point.
 };
 
 /** A device as the responses of a few points say that it is now.

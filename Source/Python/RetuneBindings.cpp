@@ -56,6 +56,7 @@ void bindRetune (py::module_& module)
     deviations.def_readwrite ("drift_percent", &RetuneDeviations::drift);
     deviations.def_readwrite ("damping_percent", &RetuneDeviations::damping);
     deviations.def_readwrite ("participation_percent", &RetuneDeviations::participation);
+    deviations.def_readwrite ("place_mm", &RetuneDeviations::place);
     py::class_<RetunedDevice, Retuned> bound (module, "Retuned");
     bound.def_static ("make", &retuneDevice);
     bound.def_property_readonly ("device", [] (const RetunedDevice& value) { return retunedDeviceText (value); });

@@ -4,7 +4,7 @@
 #include <antinode_focus/ExpectedError.h>
 #include <antinode_identification/Identification.h>
 #include <antinode_identification/IdentifiedModel.h>
-#include <antinode_identification/Retuning.h>
+#include <antinode_learning/Retuning.h>
 #include <antinode_model/ShapeInterpolation.h>
 #include <antinode_structure/DeviceDescription.h>
 

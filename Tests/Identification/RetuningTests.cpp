@@ -1,7 +1,10 @@
 #include "Support/ModelOfStructure.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_identification/Retuning.h>
+#include <antinode_learning/LearningProblem.h>
+#include <antinode_learning/ResponseEquations.h>
+#include <antinode_learning/Retuning.h>
+#include <antinode_model/ShapesAtPlaces.h>
 
 #include <catch2/catch.hpp>
 
@@ -253,6 +256,7 @@ TEST_CASE ("A point whose sensor is turned over is told from the others", "[iden
         values.col (5) *= -1;
 
     const auto retuned = retune (model, responses, {});
+    CAPTURE (retuned.pointErrors.transpose());
     REQUIRE (retuned.pointErrors.size() == points);
     Eigen::Index worst = 0;
     CHECK (retuned.pointErrors.maxCoeff (&worst) > 1);
@@ -266,4 +270,49 @@ TEST_CASE ("A point whose sensor is turned over is told from the others", "[iden
                .cwiseAbs()
                .maxCoeff()
            < 2e-3);
+}
+
+TEST_CASE ("Poles that begin several half widths off do not keep the others from the most probable ones",
+           "[identification]")
+{
+    const auto device = knownPlate (3, 150);
+    const auto model = makeModel (device);
+    const auto responses = responsesOf (atFewPoints (device, 14), 24000);
+    const auto shapes = shapesAtPlaces (model, responses.points);
+    std::vector<Sensor> sensors;
+
+    for (Eigen::Index p = 0; p < shapes.rows(); ++p)
+        sensors.push_back ({ shapes.row (p) });
+
+    auto deviations = sameSpread (model.modes(), 0.02, 0.3, 0.05);
+    deviations.atNodes = 0.2;
+    const std::vector<PlayedRecording> none;
+    auto data = prepare (responses, 0, 24000);
+    HeardResponses heard { data, device.delay };
+    const auto prior = makePrior (model, sensors, deviations, none, &heard);
+    const LearningProblem problem (prior);
+    const auto fitFrom = [&] (const ModalModel& from)
+    {
+        LearntModes start;
+        start.model = from;
+        start.sensors = sensors;
+        start.delays = prior.delays();
+        const auto values = valuesOf (prior, problem.all().parameters, start);
+        heard.variance = responseState (prior, problem.state (Eigen::VectorXd::Zero (values.size()))).variance();
+        return problem.learnt (problem.solve (problem.all(), values, 0, 0, 1e9));
+    };
+    auto off = model;
+
+    for (Eigen::Index k = 5; k < off.modes(); k += 10)
+        off.angularFrequencies[k] *= 1 + (k % 20 == 5 ? 3 : -3) * off.dampingRatios[k];
+
+    const auto fit = fitFrom (off), best = fitFrom (model);
+
+    for (Eigen::Index k = 0; k < model.modes(); ++k)
+        if (device.frequencies[k] < 23500)
+        {
+            CAPTURE (k);
+            CHECK (std::abs (fit.model.angularFrequencies[k] / best.model.angularFrequencies[k] - 1)
+                   < 0.2 * best.frequencyDeviations[k]);
+        }
 }

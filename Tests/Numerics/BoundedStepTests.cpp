@@ -12,11 +12,11 @@ TEST_CASE ("Where one unknown is held at its bound, the other one goes to the mi
     // x^2 + y^2 + 1.8 x y - 4 x - 3.6 y has its minimum at (2, 0); along a step of 0.5 in x at (3.6 - 1.8 * 0.5) / 2.
     const Eigen::MatrixXd matrix = (Eigen::MatrixXd (2, 2) << 2, 0, 1.8, 2).finished(); // The lower triangle.
     const Eigen::Vector2d right (4, 3.6);
-    const auto free = boundedStep (matrix, right, Eigen::Vector2d (0, 0), Eigen::Vector2d (10, 10));
+    const auto free = boundedStep (matrix, right, Eigen::Vector2d (-10, -10), Eigen::Vector2d (10, 10));
     CHECK (free.change[0] == Approx (2));
     CHECK (free.change[1] == Approx (0).margin (1e-12));
 
-    const auto held = boundedStep (matrix, right, Eigen::Vector2d (0.5, 0.25), Eigen::Vector2d (1, 10));
+    const auto held = boundedStep (matrix, right, Eigen::Vector2d (-1.5, -10.25), Eigen::Vector2d (0.5, 9.75));
     CHECK (held.change[0] == Approx (0.5));
     CHECK (held.change[1] == Approx ((3.6 - 1.8 * 0.5) / 2));
     // The one that is held keeps its deviation: its row of the factor is that of the unit matrix.
@@ -40,7 +40,7 @@ TEST_CASE ("A step within bounds fulfils the conditions of Karush, Kuhn and Tuck
     const Eigen::MatrixXd matrix = rows.transpose() * rows + Eigen::MatrixXd::Identity (count, count);
     const Eigen::VectorXd right = 60 * random.normal (count), bounds = Eigen::VectorXd::Constant (count, bound);
     const Eigen::VectorXd values = (0.5 * random.normal (count)).cwiseMax (-bounds).cwiseMin (bounds);
-    const auto step = boundedStep (matrix, right, values, bounds);
+    const auto step = boundedStep (matrix, right, -bounds - values, bounds - values);
     const Eigen::VectorXd slope = right - matrix * step.change, next = values + step.change;
     int held = 0;
 

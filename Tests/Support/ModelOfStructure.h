@@ -15,6 +15,7 @@ inline ModalModel makeModel (const KnownStructure& structure)
     modes.dampingRatios = structure.dampingRatios;
     modes.shapes = structure.shapes;
     modes.participation = structure.participation;
+    modes.reconstructionError = -120;
     modes.deviations.angularFrequencies = Eigen::VectorXd::Zero (structure.frequencies.size());
 
     for (Eigen::Index i = 0; i < structure.participation.cols(); ++i)

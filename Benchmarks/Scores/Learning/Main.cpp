@@ -4,8 +4,8 @@
 #include <antinode_focus/Detuning.h>
 #include <antinode_focus/ModeWeighing.h>
 #include <antinode_identification/FrequencyDrift.h>
-#include <antinode_identification/Retuning.h>
 #include <antinode_learning/LearningPasses.h>
+#include <antinode_learning/Retuning.h>
 #include <antinode_learning/UsualDeviations.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_library/Library.h>
@@ -156,8 +156,8 @@ int main (int count, char** arguments)
     of.finer = solveWide (device, designed, beyond * designed.frequencyHz (designed.modes() - 1), true).model;
     std::printf ("%td modes known, %td in the learner's model, %td played\n", designed.modes(),
                  of.nominal.model.modes(), of.finer.modes());
-    const auto deviations = isUnsure ? usualDeviations (of.nominal.model)
-                                     : sameSpread (of.nominal.model.modes(), scatter, 0.1, 0.05);
+    const auto deviations =
+        isUnsure ? usualDeviations (of.nominal.model) : sameSpread (of.nominal.model.modes(), scatter, 0.1, 0.05);
     std::vector<double> before, after, seconds;
     int worse = 0, rejected = 0;
 

@@ -3,8 +3,8 @@
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/ModeWeighing.h>
-#include <antinode_identification/Retuning.h>
 #include <antinode_learning/LearningPasses.h>
+#include <antinode_learning/Retuning.h>
 #include <antinode_learning/UsualDeviations.h>
 #include <antinode_library/Library.h>
 #include <antinode_model/ShapesAtPlaces.h>

@@ -331,6 +331,7 @@ class RetuneDeviations:
     drift_percent: float
     damping_percent: float
     participation_percent: float
+    place_mm: float
     def __init__(self) -> None: ...
 
 class Retuned:

@@ -411,6 +411,7 @@ def retune(
     drift_percent: float = 3,
     damping_percent: float = 30,
     participation_percent: float = 5,
+    place_mm: float = 1.0,
     cache: bool = True,
 ) -> Retuned:
     """Updates a drifted device from the responses of a few points, as ``antinode retune``.
@@ -421,6 +422,7 @@ def retune(
         frequency_percent, damping_percent, participation_percent: how far each mode may be off the device: standard
             deviations, 0.01 to 50 %.
         drift_percent: the same of the factor that all frequencies share.
+        place_mm: how far each point may be beside its place along x and y: a standard deviation, 0 to 50 mm.
         cache: False: the device is solved without the user's cache.
 
     Returns:
@@ -438,10 +440,12 @@ def retune(
     within("drift_percent", drift_percent, 0.01, 50)
     within("damping_percent", damping_percent, 0.01, 50)
     within("participation_percent", participation_percent, 0.01, 50)
+    within("place_mm", place_mm, 0, 50)
     deviations = _antinode.RetuneDeviations()
     deviations.frequency_percent = frequency_percent
     deviations.drift_percent = drift_percent
     deviations.damping_percent = damping_percent
     deviations.participation_percent = participation_percent
+    deviations.place_mm = place_mm
     names = [os.fspath(file) for file in files]
     return Retuned(_antinode.Retuned.make(device_of(device)._core, names, deviations, cache))

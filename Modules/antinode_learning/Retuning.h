@@ -1,19 +1,16 @@
 #pragma once
 
-#include "FrequencyResponses.h"
-#include "KnownModes.h"
-
+#include <antinode_identification/FrequencyResponses.h>
+#include <antinode_identification/KnownModes.h>
 #include <antinode_model/ModalModel.h>
-
-#include <optional>
 
 namespace antinode
 {
 /** A known device after a drift, and what has changed, in the order of the modes before. N_m modes, N_b ceramics. */
 struct RetunedModel
 {
-    ModalModel model;                 ///< Frequencies, dampings and participation updated; shapes as they were; its
-                                      ///< modes in ascending order of their new frequencies.
+    ModalModel model;                 ///< Frequencies, dampings and participation updated, shapes only as mixtures of
+                                      ///< neighbours; its modes in ascending order of their new frequencies.
     std::vector<bool> found;          ///< N_m: whether the mode was seen; others moved with their neighbours.
     Eigen::VectorXd frequencyChanges; ///< N_m: relative.
     Eigen::VectorXd dampingChanges;   ///< N_m: relative.
@@ -27,14 +24,13 @@ struct RetunedModel
 };
 
 /** Updates frequencies, damping and participation of a known device from the responses of a few points: the most
-    probable ones, given what is measured and how far devices differ from their model.
-    @param model      as it was known; its ceramics are the references, in their order
-    @param responses  at points on the model's surface, driven by voltages
+    probable ones, given what is measured and how far devices differ from their model. Of a model that says where its
+    modes come from, shapes at the points are uncertain, too, as usualDeviations() has them.
+    @param model           as it was known; its ceramics are the references, in their order
+    @param responses       at points on the model's surface, driven by voltages
+    @param placeDeviation  m, of each coordinate of each point
     @throws InputError  when references or points do not fit the model, or none of its modes is found
     [worker] Docs/Theory.md, section 8.7. */
-RetunedModel retune (const ModalModel& model, const FrequencyResponses& responses, const KnownSpread&);
-
-/** By how much frequencies of a device usually differ from those that a solver computes, relative; none where they were
-   measured. [any] */
-std::optional<double> usualModelError (const ModalModel&);
+RetunedModel retune (const ModalModel& model, const FrequencyResponses& responses, const KnownSpread&,
+                     double placeDeviation = 0);
 } // namespace antinode
