@@ -313,11 +313,30 @@ TEST_CASE ("What is said of a design holds on the plate of solid elements", "[st
                 UNSCOPED_INFO ("route " << route << ' ' << place.transpose() << ' ' << focusTime << ' ' << said << ' '
                                         << reached);
                 CHECK (said > reached / 3);
+                CHECK ((route == 0 || reached < 0.02));
                 within += said < 2 * reached && said > reached / 2 ? 1 : 0;
                 ++all;
             }
 
     CHECK (10 * within >= 9 * all);
+}
+
+TEST_CASE ("Points a millimetre beside their places retune the solid plate nearly as well", "[structure][solid]")
+{
+    auto responses =
+        responsesOfSolid (numbersOf ({ { 20, 20 }, { 100, 30 }, { 60, 60 }, { 10, 70 }, { 110, 70 }, { 80, 10 } }));
+
+    for (Eigen::Index p = 0; p < responses.points.rows(); ++p)
+        responses.points.row (p) +=
+            0.001 * Eigen::RowVector2d (std::cos (static_cast<double> (p)), std::sin (static_cast<double> (p)));
+
+    // 8 to 10 % where points are taken to be where the file says.
+    const auto retuned = retune (drawn (solidCases()[0]), responses, {}, 0.001).model;
+    const auto [said, reached] = playedOnSolid (retuned, { 62, 42 }, 0.025);
+    CAPTURE (said, reached);
+    CHECK (reached < 0.02);
+    CHECK (said < 2 * reached);
+    CHECK (said > reached / 2);
 }
 
 TEST_CASE ("A measured plate has the static share of the modes above the band", "[identification][solid]")
