@@ -21,7 +21,7 @@ struct ResponseState
     double variance() const { return left / values; } ///< Of each value, times its weight.
 };
 
-/** Takes the moments of the responses anew where the delay is not near to theirs. [worker] */
+/** Recomputes the moments of the responses where the delay is not near to theirs. [worker] */
 ResponseState responseState (const LearningPrior&, const LearningState&);
 
 /** What the responses say of the parameters. [worker] Docs/Theory.md, section 8.7. */

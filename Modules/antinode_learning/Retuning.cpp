@@ -7,6 +7,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_identification/FitErrors.h>
 #include <antinode_identification/FrequencyDrift.h>
+#include <antinode_identification/KnownModeFit.h>
 #include <antinode_identification/KnownPoles.h>
 #include <antinode_model/ShapesAtPlaces.h>
 #include <antinode_numerics/Median.h>
@@ -108,12 +109,13 @@ Eigen::VectorXd scalesOf (const Eigen::MatrixXd& found, const Eigen::MatrixXd& k
     return (squares.array() > 1e-12).select (between.cwiseQuotient (squares.cwiseMax (1e-300)), 1);
 }
 
-/** Modes of the band, as responses and what was known before say that they are. */
+/** Modes as responses and what was known before say that they are. */
 struct Fit
 {
     LearntModes learnt;
-    ResponseState end;
-    double shapeError = 0; ///< Of the middle mode at the points, RMS over RMS.
+    Eigen::VectorXd pointErrors; ///< N_p: what each point's place in the file leaves of its responses, RMS over RMS.
+    double unexplained = 0;      ///< RMS over RMS.
+    double shapeError = 0;       ///< Of the middle mode at the points, RMS over RMS.
 };
 
 /** How far shapes of the middle mode are off at the points, RMS over RMS: what was found of each beside what all
@@ -179,9 +181,69 @@ Fit fitted (const LearningPrior& prior, const LearningProblem& problem, const Le
     for (Eigen::Index m = 0; m < std::ssize (prior.sensors); ++m)
         stated = withoutSensor (std::move (stated), problem.all().parameters, m);
 
-    end.pointErrors = responseState (prior, problem.state (stated)).pointErrors;
+    const auto pointErrors = responseState (prior, problem.state (stated)).pointErrors;
     const auto shapeError = shapeErrorOf (prior, problem.all().parameters, solution.values);
-    return { problem.learnt (problem.judged (std::move (solution), 0)), std::move (end), shapeError };
+    return { problem.learnt (problem.judged (std::move (solution), 0)), pointErrors, std::sqrt (end.left / end.energy),
+             shapeError };
+}
+
+/** @param nominal  modes near the lines, with their common drift */
+Fit fittedWithShapes (const ModalModel& nominal, PreparedResponses& data, const KnownPoles& poles,
+                      const KnownSpread& spread, double placeDeviation)
+{
+    const auto sensors = sensorsAt (nominal, data.responses->points, placeDeviation);
+    const auto deviations = deviationsOf (nominal, spread);
+    const std::vector<PlayedRecording> none;
+    HeardResponses heard { data, poles.delay };
+    const auto prior = makePrior (nominal, sensors, deviations, none, &heard);
+    LearntModes start;
+    start.model = nominal;
+    start.sensors = sensors;
+    start.delays = prior.delays();
+    start.model.angularFrequencies = poles.angularFrequencies;
+    start.model.dampingRatios = poles.dampingRatios;
+    return fitted (prior, LearningProblem (prior), start);
+}
+
+KnownModePrior priorOf (const KnownModes& known, const KnownSpread& spread)
+{
+    // Where the model has a node, a device has about this much of what the mode's other ceramics have.
+    constexpr double leastOfOthers = 0.2;
+    const Eigen::VectorXd others = leastOfOthers * known.participation.rowwise().norm()
+                                   / std::sqrt (static_cast<double> (known.participation.cols()));
+    Eigen::MatrixXd spreads (known.participation.rows(), known.participation.cols());
+
+    for (Eigen::Index i = 0; i < spreads.cols(); ++i)
+        spreads.col (i) =
+            spread.participation * (known.participation.col (i).cwiseAbs2() + others.cwiseAbs2()).cwiseSqrt();
+
+    return { known.angularFrequencies, Eigen::VectorXd::Constant (known.modes(), spread.frequency),
+             known.dampingRatios,      spread.damping,
+             known.participation,      spreads };
+}
+
+/** With shapes as they are known: of hundreds of modes that overlap, theirs would be unknowns without end. */
+Fit fittedByShapes (const ModalModel& nominal, PreparedResponses& data, const KnownPoles& poles,
+                    const KnownSpread& spread)
+{
+    const KnownModes known { nominal.angularFrequencies, nominal.dampingRatios,
+                             shapesAtPlaces (nominal, data.responses->points), nominal.participation };
+    auto start = known;
+    start.angularFrequencies = poles.angularFrequencies;
+    start.dampingRatios = poles.dampingRatios;
+    auto found = fitKnownModes (data, start, priorOf (known, spread), poles.delay);
+    Fit fit;
+    fit.learnt.model = nominal;
+    fit.learnt.model.angularFrequencies = std::move (found.modes.angularFrequencies);
+    fit.learnt.model.dampingRatios = std::move (found.modes.dampingRatios);
+    fit.learnt.model.participation = std::move (found.modes.participation);
+    fit.learnt.delays = Eigen::VectorXd::Constant (1, found.delay);
+    fit.learnt.frequencyDeviations = std::move (found.frequencyDeviations);
+    fit.learnt.dampingDeviations = std::move (found.dampingDeviations);
+    fit.learnt.participationDeviations = std::move (found.participationDeviations);
+    fit.pointErrors = std::move (found.pointErrors);
+    fit.unexplained = std::pow (10.0, std::min (0.0, found.reconstructionError) / 20);
+    return fit;
 }
 
 /** What was fitted of some modes, put into the whole device. */
@@ -242,16 +304,15 @@ RetunedModel retuned (const ModalModel& model, const Indices& modes, const Fit& 
     result.frequencyChanges = (changed.angularFrequencies.array() / model.angularFrequencies.array() - 1).matrix();
     result.dampingChanges = (changed.dampingRatios.array() / model.dampingRatios.array() - 1).matrix();
     result.participationScales = scales;
-    result.reconstructionError = 10 * std::log10 (fit.end.left / fit.end.energy);
-    changed.origin = { ModeSource::retuned, static_cast<int> (fit.end.pointErrors.size()),
-                       std::min (1.0, std::hypot (std::sqrt (fit.end.left / fit.end.energy), fit.shapeError)),
-                       model.origin.scaleIsKnown };
+    result.reconstructionError = 20 * std::log10 (fit.unexplained);
+    changed.origin = { ModeSource::retuned, static_cast<int> (fit.pointErrors.size()),
+                       std::min (1.0, std::hypot (fit.unexplained, fit.shapeError)), model.origin.scaleIsKnown };
 
     if (model.origin.source == ModeSource::measured)
         changed.origin.source = ModeSource::measured;
 
     result.model = ascending (std::move (changed));
-    result.pointErrors = fit.end.pointErrors;
+    result.pointErrors = fit.pointErrors;
     result.delay = now.delays[now.delays.size() - 1];
     return result;
 }
@@ -272,20 +333,12 @@ RetunedModel retune (const ModalModel& model, const FrequencyResponses& response
     const auto poles = findKnownPoles (data, known, spread);
     // Modes beyond the model have drifted with the others.
     highest *= poles.drift;
-    data = prepare (responses, 0, highest);
     nominal.angularFrequencies *= poles.drift;
-    const auto sensors = sensorsAt (nominal, responses.points, placeDeviation);
-    const auto deviations = deviationsOf (nominal, spread);
-    const std::vector<PlayedRecording> none;
-    HeardResponses heard { data, poles.delay };
-    const auto prior = makePrior (nominal, sensors, deviations, none, &heard);
-    const LearningProblem problem (prior);
-    LearntModes start;
-    start.model = nominal;
-    start.sensors = sensors;
-    start.delays = prior.delays();
-    start.model.angularFrequencies = poles.angularFrequencies;
-    start.model.dampingRatios = poles.dampingRatios;
-    return retuned (model, modes, fitted (prior, problem, start), poles, spread, highest);
+    data = prepare (responses, 0, highest);
+    constexpr Eigen::Index mostUnknowns = 4000; // of a step, which costs with their cube
+    const auto unknowns = nominal.modes() * (2 + nominal.actuators() + responses.points.rows());
+    const auto fit = unknowns <= mostUnknowns ? fittedWithShapes (nominal, data, poles, spread, placeDeviation)
+                                              : fittedByShapes (nominal, data, poles, spread);
+    return retuned (model, modes, fit, poles, spread, highest);
 }
 } // namespace antinode

@@ -1,6 +1,7 @@
 #include "Support/ModelOfStructure.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_identification/KnownModeFit.h>
 #include <antinode_learning/LearningProblem.h>
 #include <antinode_learning/ResponseEquations.h>
 #include <antinode_learning/Retuning.h>
@@ -313,6 +314,41 @@ TEST_CASE ("Poles that begin several half widths off do not keep the others from
         {
             CAPTURE (k);
             CHECK (std::abs (fit.model.angularFrequencies[k] / best.model.angularFrequencies[k] - 1)
+                   < 0.2 * best.frequencyDeviations[k]);
+        }
+}
+
+TEST_CASE ("Nor do they where shapes are taken as exact", "[identification]")
+{
+    const auto device = knownPlate (3, 150);
+    const auto model = makeModel (device);
+    const auto responses = responsesOf (atFewPoints (device, 14), 24000);
+    const KnownModes exact { model.angularFrequencies, model.dampingRatios, shapesAtPlaces (model, responses.points),
+                             model.participation };
+    const KnownModePrior prior { exact.angularFrequencies,
+                                 Eigen::VectorXd::Constant (exact.modes(), 0.02),
+                                 exact.dampingRatios,
+                                 0.3,
+                                 exact.participation,
+                                 Eigen::MatrixXd::Constant (exact.modes(), exact.participation.cols(),
+                                                            0.05 * exact.participation.cwiseAbs().maxCoeff()) };
+    const auto fitFrom = [&] (const KnownModes& start)
+    {
+        auto data = prepare (responses, 0, 24000);
+        return fitKnownModes (data, start, prior, device.delay);
+    };
+    auto off = exact;
+
+    for (Eigen::Index k = 5; k < exact.modes(); k += 10)
+        off.angularFrequencies[k] *= 1 + (k % 20 == 5 ? 3 : -3) * exact.dampingRatios[k];
+
+    const auto fit = fitFrom (off), best = fitFrom (exact);
+
+    for (Eigen::Index k = 0; k < exact.modes(); ++k)
+        if (device.frequencies[k] < 23500)
+        {
+            CAPTURE (k);
+            CHECK (std::abs (fit.modes.angularFrequencies[k] / best.modes.angularFrequencies[k] - 1)
                    < 0.2 * best.frequencyDeviations[k]);
         }
 }
