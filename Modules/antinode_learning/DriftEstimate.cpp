@@ -127,23 +127,23 @@ ModalModel driftedModel (const ModalModel& nominal, const DriftLayout& layout, c
 
 Eigen::VectorXd frequencyChanges (const DriftEstimate& estimate, const DriftLayout& layout, Eigen::Index modes)
 {
-    const auto tracked = layout.modes;
-    const Eigen::VectorXd values = estimate.values.head (tracked);
+    const auto followed = layout.modes;
+    const Eigen::VectorXd values = estimate.values.head (followed);
     const Eigen::VectorXd weights =
-        estimate.factor.topRows (tracked).rowwise().squaredNorm().cwiseMax (1e-24).cwiseInverse();
+        estimate.factor.topRows (followed).rowwise().squaredNorm().cwiseMax (1e-24).cwiseInverse();
     Eigen::VectorXd changes = Eigen::VectorXd::Constant (modes, weights.dot (values) / weights.sum());
-    changes.head (std::min (modes, tracked)) = values.head (std::min (modes, tracked));
+    changes.head (std::min (modes, followed)) = values.head (std::min (modes, followed));
     return changes;
 }
 
 ModalModel retunedModel (const ModalModel& nominal, const DriftEstimate& estimate, const DriftLayout& layout)
 {
-    const auto tracked = std::min (layout.modes, nominal.modes());
+    const auto followed = std::min (layout.modes, nominal.modes());
     auto model = nominal;
     model.angularFrequencies.array() *= frequencyChanges (estimate, layout, nominal.modes()).array().exp();
-    model.dampingRatios.head (tracked) = (nominal.dampingRatios.head (tracked).array()
-                                          * estimate.values.segment (layout.damping (0), tracked).array().exp())
-                                             .min (largestDampingRatio);
+    model.dampingRatios.head (followed) = (nominal.dampingRatios.head (followed).array()
+                                           * estimate.values.segment (layout.damping (0), followed).array().exp())
+                                              .min (largestDampingRatio);
     return model;
 }
 } // namespace antinode

@@ -82,6 +82,6 @@ ModalModel driftedModel (const ModalModel& nominal, const DriftLayout&, const Ei
    weighted by what is known of each. N_m logarithms. [any] */
 Eigen::VectorXd frequencyChanges (const DriftEstimate&, const DriftLayout&, Eigen::Index modes);
 
-/** The device with these changes, and with the damping ratios of the tracked modes. [worker] */
+/** The device with these changes, and with the damping ratios of the followed modes. [worker] */
 ModalModel retunedModel (const ModalModel& nominal, const DriftEstimate&, const DriftLayout&);
 } // namespace antinode

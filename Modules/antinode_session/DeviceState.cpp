@@ -1,6 +1,6 @@
 #include "DeviceState.h"
 
-#include "TrackingState.h"
+#include "FollowingState.h"
 
 #include <antinode_text/JsonReader.h>
 #include <antinode_text/JsonText.h>
@@ -41,8 +41,8 @@ std::string deviceStateToText (const DeviceState& state, const char* schema)
     if (state.focus != nullptr && state.focus->design != nullptr)
         text += R"(,"design":)" + state.focus->design->text;
 
-    if (state.tracking.isOn())
-        text += R"(,"tracking":)" + trackingToText (state.tracking);
+    if (state.following.isOn())
+        text += R"(,"tracking":)" + followingToText (state.following);
 
     return text + R"(,"parameters":)" + nlohmann::ordered_json (state.parameters).dump() + "}";
 }
@@ -66,7 +66,7 @@ DeviceState readDeviceState (std::string_view text, const char* schema)
     DeviceState read { std::make_shared<const DeviceDocument> (readDeviceDocument (json["device"], "state: device")),
                        {},
                        readKeptFocus (state, json),
-                       state.has ("tracking") ? trackingFromJson (state.required ("tracking")) : TrackingSettings() };
+                       state.has ("tracking") ? followingFromJson (state.required ("tracking")) : FollowingSettings() };
 
     for (const auto& [key, ignored] : json["parameters"].items())
         read.parameters[key] = parameters.required (key).number ({ -farthestValue, farthestValue });

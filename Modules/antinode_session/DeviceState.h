@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Documents.h"
-#include "TrackingSettings.h"
+#include "FollowingSettings.h"
 
 #include <map>
 #include <memory>
@@ -16,7 +16,7 @@ struct DeviceState
     std::shared_ptr<const DeviceDocument> device;
     std::map<std::string, double> parameters;        ///< By their identifiers, in the units of their texts.
     std::shared_ptr<const FocusDocument> focus = {}; ///< Of Antinode Touch only; none: notes play nothing.
-    TrackingSettings tracking = {};                  ///< Of Antinode Touch only.
+    FollowingSettings following = {};                ///< Of Antinode Touch only.
 };
 
 inline constexpr auto plateSchema = "antinode.plate/1"; ///< Of Antinode Plate.

@@ -6,15 +6,15 @@
 
 namespace antinode
 {
-ModalModel TrackedDevice::asDriven (ModalModel model) const
+ModalModel DriftedDevice::asDriven (ModalModel model) const
 {
     if (drift != nullptr)
-        model = retunedModel (model, drift->tracked.estimate, drift->layout);
+        model = retunedModel (model, drift->sensed.estimate, drift->layout);
 
     return withoutDrive (std::move (model), idle);
 }
 
-std::shared_ptr<const ModalModel> TrackedDevice::asDriven (const std::shared_ptr<const ModalModel>& model) const
+std::shared_ptr<const ModalModel> DriftedDevice::asDriven (const std::shared_ptr<const ModalModel>& model) const
 {
     const auto isAsDescribed = drift == nullptr && idle.empty();
     return isAsDescribed ? model : std::make_shared<const ModalModel> (asDriven (*model));

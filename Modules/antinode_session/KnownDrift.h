@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_learning/TrackWindow.h>
+#include <antinode_learning/FollowWindow.h>
 
 #include <memory>
 #include <vector>
@@ -10,9 +10,9 @@ namespace antinode
 /** What is known of the drift of a device, with what it is known of. Immutable. */
 struct KnownDrift
 {
-    Eigen::VectorXd nominal; ///< rad/s, of the modes that are tracked, as they are without drift.
+    Eigen::VectorXd nominal; ///< rad/s, of the modes that are followed, as they are without drift.
     DriftLayout layout;
-    TrackedDrift tracked;
+    SensedDrift sensed;
 
     /** Whether it is that of a device. [any] */
     bool isOf (const ModalModel& model) const
@@ -21,8 +21,8 @@ struct KnownDrift
     }
 };
 
-/** What a device that is tracked differs in from its description. Immutable. */
-struct TrackedDevice
+/** What a device that is followed differs in from its description. Immutable. */
+struct DriftedDevice
 {
     std::shared_ptr<const KnownDrift> drift; ///< None: as described.
     std::vector<int> idle;                   ///< Ceramics that listen and are not driven, from 1.

@@ -20,7 +20,7 @@ Session::Session (DeviceDocument device, FocusDocument focus, ReadSettings read,
                                                    std::make_shared<const FocusDocument> (std::move (focus)),
                                                    spotNote)),
       entry (std::make_shared<AudioEntry>()),
-      thread ([worker = std::make_shared<SessionWorker> (requests, trackingRequests, entry, owner,
+      thread ([worker = std::make_shared<SessionWorker> (requests, followingRequests, entry, owner,
                                                          std::move (takeFocus))] { worker->run(); })
 {
 }

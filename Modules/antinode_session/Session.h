@@ -1,10 +1,10 @@
 #pragma once
 
 #include "AudioEntry.h"
+#include "FollowingRequests.h"
 #include "NoteBank.h"
 #include "SessionOwner.h"
 #include "SessionRequests.h"
-#include "TrackingRequests.h"
 
 #include <antinode_base/BackgroundThread.h>
 
@@ -81,9 +81,9 @@ public:
         [any but the audio thread] */
     void setAmplifiers (std::vector<double> volts) { requests->setAmplifiers (std::move (volts)); }
 
-    /** What tracks the drift of the device, and what is known: foci are designed for the device as it is. Another
+    /** What follows the drift of the device, and what is known: foci are designed for the device as it is. Another
        sensor makes another path; one that cannot be had becomes a status. [any but the audio thread] */
-    TrackingRequests& tracking() const { return *trackingRequests; }
+    FollowingRequests& following() const { return *followingRequests; }
 
     /** Designs the places of these notes before those of the others, in this order; by default that of middle C.
         [any but the audio thread] */
@@ -132,7 +132,7 @@ public:
 private:
     std::shared_ptr<SessionOwner<PlaySettings>> owner;
     std::shared_ptr<SessionRequests> requests;
-    std::shared_ptr<TrackingRequests> trackingRequests = std::make_shared<TrackingRequests>();
+    std::shared_ptr<FollowingRequests> followingRequests = std::make_shared<FollowingRequests>();
     std::shared_ptr<AudioEntry> entry;
     BackgroundThread thread;
 };

@@ -1,6 +1,6 @@
 #include "SessionState.h"
 
-#include "TrackingState.h"
+#include "FollowingState.h"
 
 #include <antinode_text/JsonReader.h>
 #include <antinode_text/JsonText.h>
@@ -61,8 +61,8 @@ std::string stateToText (const SessionState& state)
     if (state.isGraphOpen)
         text += R"(,"open_graph":true)";
 
-    if (state.tracking.isOn())
-        text += R"(,"tracking":)" + trackingToText (state.tracking);
+    if (state.following.isOn())
+        text += R"(,"tracking":)" + followingToText (state.following);
 
     return text + "}";
 }
@@ -74,7 +74,7 @@ SessionState readState (std::string_view text)
     value.requireSchema (schema);
     const auto state = value.object (
         { "schema", "device", "focus", "design", "parameters", "muted_ceramics", "open_graph", "tracking" });
-    const auto openGraph = state.optional ("open_graph"), tracking = state.optional ("tracking");
+    const auto openGraph = state.optional ("open_graph"), following = state.optional ("tracking");
     const auto device = state.required ("device"), focus = state.required ("focus"),
                parameters = state.required ("parameters");
 
@@ -91,6 +91,6 @@ SessionState readState (std::string_view text)
              readParameters (parameters, json["parameters"]),
              readMutes (state.required ("muted_ceramics")),
              openGraph && openGraph->boolean(),
-             tracking ? trackingFromJson (*tracking) : TrackingSettings() };
+             following ? followingFromJson (*following) : FollowingSettings() };
 }
 } // namespace antinode

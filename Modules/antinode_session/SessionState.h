@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Documents.h"
-#include "TrackingSettings.h"
+#include "FollowingSettings.h"
 
 #include <cstdint>
 #include <map>
@@ -19,7 +19,7 @@ struct SessionState
     std::map<std::string, double> parameters; ///< By their identifiers, in the units of their texts.
     std::uint64_t mutes = 0;                  ///< Bit i: ceramic i + 1 is muted.
     bool isGraphOpen = false;                 ///< Whether it plays by separate nodes.
-    TrackingSettings tracking = {};
+    FollowingSettings following = {};
 };
 
 /** A state as text: JSON of schema antinode.state/1; numbers come back to the bit. [worker] Docs/FileFormats.md */

@@ -27,10 +27,11 @@ constexpr double usualRate = 48000; // Hz, before a host says it
 } // namespace
 
 SessionWorker::SessionWorker (std::shared_ptr<SessionRequests> requestsToServe,
-                              std::shared_ptr<TrackingRequests> trackingToServe, std::shared_ptr<AudioEntry> entryToUse,
-                              std::shared_ptr<Owner> ownerToAsk, TakeFocus takeFocusToCall)
+                              std::shared_ptr<FollowingRequests> followingToServe,
+                              std::shared_ptr<AudioEntry> entryToUse, std::shared_ptr<Owner> ownerToAsk,
+                              TakeFocus takeFocusToCall)
     : requests (std::move (requestsToServe)), entry (std::move (entryToUse)), owner (std::move (ownerToAsk)),
-      takeFocus (std::move (takeFocusToCall)), tracking (std::move (trackingToServe))
+      takeFocus (std::move (takeFocusToCall)), following (std::move (followingToServe))
 {
 }
 
@@ -59,7 +60,7 @@ void SessionWorker::run()
         // It is stopping.
     }
 
-    tracking.stop();
+    following.stop();
     entry->clear();
 }
 
@@ -68,16 +69,16 @@ void SessionWorker::step (const SessionRound& round)
 {
     takeAmplifiers (round);
     takeDocuments (round);
-    tracking.take (model.get());
+    following.take (model.get());
     takeFingers();
     takeGraphChoice (round);
     entry->collect();
-    tracking.read (model.get());
+    following.read (model.get());
     const auto read = owner->settings (settings);
 
     if (model != nullptr && round.sampleRate > 0)
     {
-        const auto needsPath = isModelNew || rate != round.sampleRate || isGraphNew || tracking.isSensorNew();
+        const auto needsPath = isModelNew || rate != round.sampleRate || isGraphNew || following.isSensorNew();
         const auto needsDesigns = needsPath || isFocusNew || read != settings || hasDrifted();
         settings = read;
         rate = round.sampleRate;
@@ -132,7 +133,7 @@ bool SessionWorker::solve (const DeviceDocument& document)
         solved = std::move (made);
         model = withAmplifiers (solved, amplifiers);
         isModelNew = true;
-        tracking.forget();
+        following.forget();
         deviceError.clear();
         return true;
     }
@@ -195,7 +196,7 @@ void SessionWorker::takeFingers()
 {
     const auto& wanted = focus->description.fingers;
 
-    auto listening = tracking.idleCeramics (model.get());
+    auto listening = following.idleCeramics (model.get());
 
     if (model == loadedModelOf && wanted == fingers && listening == idle)
         return;
@@ -234,9 +235,9 @@ void SessionWorker::buildPath()
 
     try
     {
-        // Under fingers the modes are others: the tracker says what it cannot follow.
+        // Under fingers the modes are others: the follower says what it cannot follow.
         auto made = std::make_unique<AudioPath> (played, rate, probeShapes(), graph,
-                                                 tracking.listen (fingers.empty() ? model : played, rate));
+                                                 following.listen (fingers.empty() ? model : played, rate));
         path = made.get();
         entry->probeTrace().prepare (std::max (1, static_cast<int> (rate / traceEntriesPerSecond)));
         entry->give (std::move (made));

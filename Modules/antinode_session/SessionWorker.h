@@ -1,7 +1,7 @@
 #pragma once
 
 #include "AudioEntry.h"
-#include "DeviceTracking.h"
+#include "DeviceFollowing.h"
 #include "SessionOwner.h"
 #include "SessionRequests.h"
 
@@ -23,7 +23,7 @@ class SessionWorker
 public:
     using Owner = SessionOwner<PlaySettings>;
 
-    SessionWorker (std::shared_ptr<SessionRequests>, std::shared_ptr<TrackingRequests>, std::shared_ptr<AudioEntry>,
+    SessionWorker (std::shared_ptr<SessionRequests>, std::shared_ptr<FollowingRequests>, std::shared_ptr<AudioEntry>,
                    std::shared_ptr<Owner>, TakeFocus);
 
     /** Works until it is stopped; then no path is left. Nothing may be processing by then. [session's thread] */
@@ -59,7 +59,7 @@ private:
     std::shared_ptr<const ModalModel> loadedModelOf;    ///< What these were made of, with the next two lines.
     std::vector<Finger> fingers;
     std::vector<int> idle; ///< Ceramics that listen.
-    DeviceTracking tracking;
+    DeviceFollowing following;
     std::vector<double> amplifiers; ///< V of a full-scale sample of each ceramic.
     PlaySettings settings;
     double rate = 0;           ///< Hz, of the path.

@@ -29,8 +29,8 @@ void SessionWorker::requestDesigns (const std::vector<int>& firstNotes)
         // A focus of another device may have probes outside this surface: the monitor stays where it was.
     }
 
-    tracking.noteDesigned();
-    path->worker().request ({ fingers.empty() ? tracking.driven (designed) : designed,
+    following.noteDesigned();
+    path->worker().request ({ fingers.empty() ? following.driven (designed) : designed,
                               description,
                               notePlaces(),
                               firstNotes,
@@ -51,7 +51,7 @@ std::function<WideModel()> SessionWorker::widen() const
     if (! fingers.empty())
         return {};
 
-    return [beyond = modesBeyond (device, model, rate), now = tracking.device (model.get())]
+    return [beyond = modesBeyond (device, model, rate), now = following.device (model.get())]
     {
         auto wide = beyond();
         wide.model = now.asDriven (std::move (wide.model));
@@ -62,7 +62,7 @@ std::function<WideModel()> SessionWorker::widen() const
 /** Under fingers the drift is not known. */
 bool SessionWorker::hasDrifted() const
 {
-    return path != nullptr && fingers.empty() && tracking.needsDesigns (path->worker().progress().isDone());
+    return path != nullptr && fingers.empty() && following.needsDesigns (path->worker().progress().isDone());
 }
 
 std::vector<std::pair<double, double>> SessionWorker::notePlaces() const

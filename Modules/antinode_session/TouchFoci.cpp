@@ -33,7 +33,7 @@ std::vector<Finger> restingTogether (std::vector<Finger> fingers, const std::vec
 std::function<WideModel()> beyond (const FociSurface& surface, const std::shared_ptr<const ModalModel>& model,
                                    double rate)
 {
-    return [solve = modesBeyond (surface.device, model, rate), now = surface.tracked]
+    return [solve = modesBeyond (surface.device, model, rate), now = surface.drifted]
     {
         auto wide = solve();
         wide.model = now.asDriven (std::move (wide.model));
@@ -170,7 +170,7 @@ void TouchFoci::request (TouchPath& path, const FociSurface& surface, const std:
     const auto all = restingTogether (description.fingers, fingers);
     auto widen = all.empty() ? beyond (surface, model, rate) : std::function<WideModel()>();
     const WatchScope scope (goesOn);
-    path.foci().request ({ loadedBy (surface.tracked.asDriven (model), all),
+    path.foci().request ({ loadedBy (surface.drifted.asDriven (model), all),
                            description,
                            std::move (places),
                            { spotNote },

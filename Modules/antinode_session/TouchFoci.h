@@ -32,7 +32,7 @@ struct FociSurface
     std::vector<double> amplifiers; ///< V, as withAmplifiers.
     std::vector<Finger> fingers;    ///< That rest on the surface and load it.
     bool areResting = false;        ///< Whether it is worth while to design for them.
-    TrackedDevice tracked;          ///< What the device differs in from its document.
+    DriftedDevice drifted;          ///< What the device differs in from its document.
     FrequencyShift shift;           ///< Of this, all frequencies'.
 };
 

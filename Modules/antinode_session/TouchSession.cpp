@@ -80,9 +80,9 @@ void TouchSession::setAmplifiers (std::vector<double> volts)
     worker->setAmplifiers (std::move (volts));
 }
 
-TrackingRequests& TouchSession::tracking() const
+FollowingRequests& TouchSession::following() const
 {
-    return worker->tracking();
+    return worker->following();
 }
 
 std::shared_ptr<const TouchSnapshot> TouchSession::snapshot() const

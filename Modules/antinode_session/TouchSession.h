@@ -1,12 +1,12 @@
 #pragma once
 
 #include "Documents.h"
+#include "FollowingRequests.h"
 #include "SessionOwner.h"
 #include "StopCount.h"
 #include "TouchDesigner.h"
 #include "TouchFoci.h"
 #include "TouchPath.h"
-#include "TrackingRequests.h"
 
 #include <antinode_base/BackgroundThread.h>
 
@@ -98,9 +98,9 @@ public:
         thread] */
     void setAmplifiers (std::vector<double> volts);
 
-    /** What tracks the drift of the device, and what is known: another sensor makes another path, and filters and foci
-        are designed for the device as it is. Docs/Decisions/0158-tracking-in-touch.md [any but the audio thread] */
-    TrackingRequests& tracking() const;
+    /** What follows the drift of the device, and what is known: another sensor makes another path, and filters and foci
+        are designed for the device as it is. Docs/Decisions/0158-following-in-touch.md [any but the audio thread] */
+    FollowingRequests& following() const;
 
     /** [any but the audio thread] */
     std::shared_ptr<const TouchSnapshot> snapshot() const;

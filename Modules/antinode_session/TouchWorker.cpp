@@ -92,7 +92,7 @@ void TouchWorker::run()
         // It is stopping.
     }
 
-    tracked.stop();
+    deviceFollowing.stop();
     paths.clear();
 }
 
@@ -114,12 +114,12 @@ void TouchWorker::step()
         if (present.model != before)
         {
             playedDevice = present.device;
-            tracked.forget();
+            deviceFollowing.forget();
         }
     }
 
     takeAmplifiers();
-    takeTracking();
+    takeFollowing();
     paths.collect();
 
     if (path != nullptr)
@@ -132,7 +132,7 @@ void TouchWorker::step()
         return;
 
     if (const auto isFormatNew = std::exchange (format, wanted) != wanted;
-        std::exchange (isModelNew, false) || isFormatNew || tracked.isSensorNew())
+        std::exchange (isModelNew, false) || isFormatNew || deviceFollowing.isSensorNew())
         buildPath();
 
     if (path != nullptr)
@@ -193,7 +193,7 @@ void TouchWorker::buildPath()
     {
         auto made = std::make_unique<TouchPath> (present.model, format.inputs, TrackBand {},
                                                  TouchDesigner::filterSettings (format.sampleRate, settings.latency),
-                                                 threshold, tracked.listen (present.model, format.sampleRate));
+                                                 threshold, deviceFollowing.listen (present.model, format.sampleRate));
         makeDesigner();
         path = made.get();
         isPathNew = true;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "DeviceFollowing.h"
 #include "DeviceRounds.h"
-#include "DeviceTracking.h"
 #include "FingerMovement.h"
 #include "PathExchange.h"
 #include "StopCount.h"
@@ -52,7 +52,7 @@ public:
     std::int64_t latencySamples (std::size_t latency) const;
     double tailSeconds (std::size_t latency) const;
     double fullScaleVolts() const { return fullScale; }
-    TrackingRequests& tracking() const { return *trackingRequests; }
+    FollowingRequests& following() const { return *followingRequests; }
 
     /** Works until it is stopped; then no path is left. Nothing may be processing by then. [session's thread] */
     void run();
@@ -62,7 +62,7 @@ private:
     void step();
     void serveFoci();
     void takeAmplifiers();
-    void takeTracking();
+    void takeFollowing();
     void takeDrift();
     void buildPath();
     void makeDesigner();
@@ -87,8 +87,8 @@ private:
     std::optional<TouchSettings> designedFor; ///< Also where that failed: nobody shall try it again and again.
     TouchFormat format;
     SkinThreshold threshold;
-    std::shared_ptr<TrackingRequests> trackingRequests = std::make_shared<TrackingRequests>();
-    DeviceTracking tracked { trackingRequests };
+    std::shared_ptr<FollowingRequests> followingRequests = std::make_shared<FollowingRequests>();
+    DeviceFollowing deviceFollowing { followingRequests };
     std::unique_ptr<TouchDesigner> designer;
     bool isRetuned = false; ///< Whether it is for a device that has drifted since the filters that play were made.
     FingerMovement movement;

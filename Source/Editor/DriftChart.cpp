@@ -11,7 +11,7 @@ namespace
 constexpr double percent = 100, secondsInMinute = 60, fewMinutes = 3;
 } // namespace
 
-LineChart driftChart (const TrackingStatus& status)
+LineChart driftChart (const FollowingStatus& status)
 {
     const auto count = static_cast<Eigen::Index> (status.trace.size());
     const auto latest = count > 0 ? status.trace.back().time : 0;
@@ -21,7 +21,7 @@ LineChart driftChart (const TrackingStatus& status)
     for (Eigen::Index i = 0; i < count; ++i)
     {
         const auto& moment = status.trace[static_cast<std::size_t> (i)];
-        const auto isKnown = moment.state == TrackingState::following;
+        const auto isKnown = moment.state == FollowingState::following;
         times[i] = moment.time / (isLong ? secondsInMinute : 1);
         drifts[i] = isKnown ? percent * moment.common : std::numeric_limits<double>::quiet_NaN();
         deviations[i] = percent * moment.deviation;

@@ -7,7 +7,7 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_base/TypedNumber.h>
-#include <antinode_session/TrackingWords.h>
+#include <antinode_session/FollowingWords.h>
 
 #include <algorithm>
 #include <utility>
@@ -19,7 +19,7 @@ namespace
 constexpr int driftMargin = 8, driftRow = 24, driftGap = 6, sentenceHeight = 40;
 
 /** Identifiers of a choice cannot be 0. */
-int identifierOf (TrackingSensor sensor)
+int identifierOf (FollowingSensor sensor)
 {
     return static_cast<int> (sensor) + 1;
 }
@@ -38,12 +38,12 @@ juce::String faultOf (const char* axis, double millimetres, double lowest, doubl
 DriftPanel::DriftPanel (DriftPanelSource sourceToShow) : source (std::move (sourceToShow))
 {
     setTitle ("Drift");
-    const std::pair<TrackingSensor, const char*> sensors[] {
-        { TrackingSensor::none, "No sensor" },
-        { TrackingSensor::velocity, "Velocity at a place" },
-        { TrackingSensor::displacement, "Displacement at a place" },
-        { TrackingSensor::ceramicCurrent, "Current of an idle ceramic" },
-        { TrackingSensor::ceramicCharge, "Charge of an idle ceramic" }
+    const std::pair<FollowingSensor, const char*> sensors[] {
+        { FollowingSensor::none, "No sensor" },
+        { FollowingSensor::velocity, "Velocity at a place" },
+        { FollowingSensor::displacement, "Displacement at a place" },
+        { FollowingSensor::ceramicCurrent, "Current of an idle ceramic" },
+        { FollowingSensor::ceramicCharge, "Charge of an idle ceramic" }
     };
 
     for (const auto& [kind, name] : sensors)
@@ -58,7 +58,7 @@ DriftPanel::DriftPanel (DriftPanelSource sourceToShow) : source (std::move (sour
     sensor.onChange = [this]
     {
         auto wanted = shown;
-        wanted.sensor = static_cast<TrackingSensor> (sensor.getSelectedId() - 1);
+        wanted.sensor = static_cast<FollowingSensor> (sensor.getSelectedId() - 1);
         change (wanted);
     };
     ceramic.onChange = [this]
@@ -77,7 +77,7 @@ DriftPanel::DriftPanel (DriftPanelSource sourceToShow) : source (std::move (sour
     undo.setTooltip ("Brings back the drift that Reset has forgotten");
     undo.onClick = [this]
     {
-        source.tracking.setDrift (std::exchange (forgotten, nullptr));
+        source.following.setDrift (std::exchange (forgotten, nullptr));
         undo.setVisible (false);
     };
 
@@ -101,7 +101,7 @@ DriftPanel::DriftPanel (DriftPanelSource sourceToShow) : source (std::move (sour
     refresh();
 }
 
-void DriftPanel::change (const TrackingSettings& wanted)
+void DriftPanel::change (const FollowingSettings& wanted)
 {
     fault.clear();
 
@@ -117,10 +117,10 @@ void DriftPanel::forget()
     if (source.reset)
         return source.reset();
 
-    if (auto known = source.tracking.drift(); known != nullptr)
+    if (auto known = source.following.drift(); known != nullptr)
     {
         forgotten = std::move (known);
-        source.tracking.setDrift (nullptr);
+        source.following.setDrift (nullptr);
         undo.setVisible (true);
     }
 }
@@ -178,7 +178,7 @@ void DriftPanel::listCeramics (int count)
     ceramic.setSelectedId (shown.ceramic + 1, juce::dontSendNotification);
 }
 
-void DriftPanel::showSettings (const TrackingSettings& now)
+void DriftPanel::showSettings (const FollowingSettings& now)
 {
     shown = now;
     sensor.setSelectedId (identifierOf (now.sensor), juce::dontSendNotification);
@@ -208,10 +208,10 @@ void DriftPanel::refresh()
         placeNames[1].setEnabled (places[1].isEnabled());
     }
 
-    if (const auto now = source.tracking.settings(); now != shown)
+    if (const auto now = source.following.settings(); now != shown)
         showSettings (now);
 
-    auto newest = source.tracking.status();
+    auto newest = source.following.status();
 
     if (newest != status)
     {
@@ -220,7 +220,7 @@ void DriftPanel::refresh()
         chart.setChart (std::move (drawn), "No window was heard yet.");
     }
 
-    sentence.setText (fault.isNotEmpty() ? fault : fromUtf8 (trackingSentence (*status)), juce::dontSendNotification);
+    sentence.setText (fault.isNotEmpty() ? fault : fromUtf8 (followingSentence (*status)), juce::dontSendNotification);
     sentence.setTooltip (sentence.getText());
 }
 

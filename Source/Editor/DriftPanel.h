@@ -3,7 +3,7 @@
 #include "ChartView.h"
 
 #include <antinode_model/ModalModel.h>
-#include <antinode_session/TrackingRequests.h>
+#include <antinode_session/FollowingRequests.h>
 
 #include <juce_gui_basics/juce_gui_basics.h>
 
@@ -16,13 +16,13 @@ namespace antinode
 /** What a drift panel shows and changes, of whatever tracks. */
 struct DriftPanelSource
 {
-    TrackingRequests& tracking;                               ///< Outlives the panel.
+    FollowingRequests& following;                             ///< Outlives the panel.
     std::function<std::shared_ptr<const ModalModel>()> model; ///< None: it is not solved yet.
-    std::function<void (const TrackingSettings&)> change;
+    std::function<void (const FollowingSettings&)> change;
     std::function<void()> reset; ///< Forgets the drift, and can be undone; none: the panel does both.
 };
 
-/** The sensor that tracks the drift of the device, what it says, and what becomes of it. [message thread] */
+/** The sensor that follows the drift of the device, what it says, and what becomes of it. [message thread] */
 class DriftPanel final : public juce::Component
 {
 public:
@@ -45,9 +45,9 @@ public:
     void lookAndFeelChanged() override;
 
 private:
-    void change (const TrackingSettings&);
+    void change (const FollowingSettings&);
     void takePlace();
-    void showSettings (const TrackingSettings&);
+    void showSettings (const FollowingSettings&);
     void listCeramics (int count);
 
     void forget();
@@ -60,8 +60,8 @@ private:
     juce::TextButton reset { "Reset" }, undo { "Undo" };
     juce::Label sentence;
     ChartView chart { "Drift that all frequencies share" };
-    TrackingSettings shown;
-    std::shared_ptr<const TrackingStatus> status;
+    FollowingSettings shown;
+    std::shared_ptr<const FollowingStatus> status;
     juce::String fault; ///< Of the place that was typed last.
 };
 } // namespace antinode

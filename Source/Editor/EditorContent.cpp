@@ -20,9 +20,9 @@ EditorContent::EditorContent (AntinodeProcessor& processorToShow)
       felt ("Sensation level over the whole event"), voltages ("Voltages with their limits"),
       methods ("Peak voltage by several methods"), bank ("Peak voltage of the notes' places"),
       probe (processor.session().probeTrace()),
-      drift ({ processor.session().tracking(), [this] { return processor.session().snapshot()->model; },
+      drift ({ processor.session().following(), [this] { return processor.session().snapshot()->model; },
                [this] (const auto& wanted)
-               { past.record ([this, &wanted] { processor.session().tracking().setSettings (wanted); }); },
+               { past.record ([this, &wanted] { processor.session().following().setSettings (wanted); }); },
                [this] { past.resetDrift(); } }),
       settings ({ [this] { return processor.session().isGraphOpen(); },
                   [this] (bool isOpen) { processor.session().setGraphOpen (isOpen); } }),

@@ -23,7 +23,7 @@ void EditorContent::setLayout (Layout wanted)
         ofVoltages { "Voltages", "Voltage of each ceramic with its limits.", &voltages },
         ofMethods { "Methods", "What this focus needs by several methods, and what no waveform goes below.", &methods },
         ofBank { "Bank", "What the foci of the notes' places need, over the surface.", &bank },
-        ofDrift { "Drift", "The sensor that tracks the drift of the device, and what it says.", &drift },
+        ofDrift { "Drift", "The sensor that follows the drift of the device, and what it says.", &drift },
         ofScores { "Scores", "Scores of the focus, warnings and choices.", &scores },
         ofControls { "Controls", "All parameters.", &parameterView };
     std::vector<PanelGroup::Panel> ofUpper { ofSpectrum, ofFelt, ofProbe, ofDrift },

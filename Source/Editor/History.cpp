@@ -37,7 +37,7 @@ void keepChanges (SessionState& before, SessionState& after, const std::set<std:
 bool isSame (const SessionState& before, const SessionState& after)
 {
     return before.parameters == after.parameters && before.mutes == after.mutes && before.device == after.device
-           && before.focus == after.focus && before.tracking == after.tracking;
+           && before.focus == after.focus && before.following == after.following;
 }
 
 bool changeSameParameters (const SessionState& one, const SessionState& other)
@@ -47,7 +47,7 @@ bool changeSameParameters (const SessionState& one, const SessionState& other)
         && std::equal (one.parameters.begin(), one.parameters.end(), other.parameters.begin(),
                        [] (const auto& left, const auto& right) { return left.first == right.first; });
     return sameNames && one.mutes == other.mutes && one.device == other.device && one.focus == other.focus
-           && one.tracking == other.tracking;
+           && one.following == other.following;
 }
 } // namespace
 
@@ -128,7 +128,7 @@ void History::push (Entry entry)
 
 void History::resetDrift()
 {
-    auto known = processor.session().tracking().drift();
+    auto known = processor.session().following().drift();
 
     if (known == nullptr)
         return;
@@ -137,7 +137,7 @@ void History::resetDrift()
     state.parameters.clear();
     push ({ state, state, juce::Time::getMillisecondCounter(), std::move (known) });
     closeEntry();
-    processor.session().tracking().setDrift (nullptr);
+    processor.session().following().setDrift (nullptr);
 }
 
 void History::undo()
@@ -157,7 +157,7 @@ void History::undo()
     }
 
     if (entry.drift != nullptr)
-        processor.session().tracking().setDrift (entry.drift);
+        processor.session().following().setDrift (entry.drift);
     else
         apply (entry.before, entry.after);
 }
@@ -170,7 +170,7 @@ void History::redo()
     const auto& entry = entries[position++];
 
     if (entry.drift != nullptr)
-        processor.session().tracking().setDrift (nullptr);
+        processor.session().following().setDrift (nullptr);
     else
         apply (entry.after, entry.before);
 }
@@ -192,8 +192,8 @@ void History::apply (const SessionState& wanted, const SessionState& present)
     if (wanted.mutes != present.mutes)
         state.mutes = wanted.mutes;
 
-    if (wanted.tracking != present.tracking)
-        state.tracking = wanted.tracking;
+    if (wanted.following != present.following)
+        state.following = wanted.following;
 
     const juce::ScopedValueSetter<bool> applying (isApplying, true);
     processor.setState (state, isOtherDevice);

@@ -21,7 +21,7 @@ public:
     /** Does something that is no gesture of a parameter, as one entry. */
     void record (const std::function<void()>& change);
 
-    /** Forgets the drift that is tracked, as one entry. */
+    /** Forgets the drift that is followed, as one entry. */
     void resetDrift();
 
     /** The next gesture makes an entry of its own, even if it follows the last one closely. */

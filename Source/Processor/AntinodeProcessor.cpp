@@ -2,7 +2,7 @@
 
 #include "VST3Channels.h"
 
-#include <antinode_session/TrackingWords.h>
+#include <antinode_session/FollowingWords.h>
 
 #include <utility>
 
@@ -135,8 +135,8 @@ std::vector<UserMessage> AntinodeProcessor::messages() const
                         + std::to_string (channels) + " channels: ceramic " + std::to_string (channels + 1)
                         + " and above stay at 0 V.");
 
-    const auto tracked = trackingMessage (*player->tracking().status());
-    addMessage (messages, tracked.urgency, tracked.text);
+    const auto followed = followingMessage (*player->following().status());
+    addMessage (messages, followed.urgency, followed.text);
     return messages;
 }
 

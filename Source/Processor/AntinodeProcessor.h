@@ -68,8 +68,8 @@ public:
     std::uint64_t mutes() const { return mutedCeramics; }
     void setMutes (std::uint64_t mask) { mutedCeramics = mask; }
 
-    /** What the user must know: an unreadable state, missing channels, what cannot be designed or tracked. [any but the
-        audio thread] */
+    /** What the user must know: an unreadable state, missing channels, what cannot be designed or followed. [any but
+       the audio thread] */
     std::vector<UserMessage> messages() const;
 
     /** The first warning among them, or empty. [any but the audio thread] */

@@ -26,7 +26,9 @@ SessionState demonstrator()
 
 SessionState AntinodeProcessor::state() const
 {
-    return { device(), keptFocus(), controls->values(), mutes(), player->isGraphOpen(), player->tracking().settings() };
+    return {
+        device(), keptFocus(), controls->values(), mutes(), player->isGraphOpen(), player->following().settings()
+    };
 }
 
 std::shared_ptr<const FocusDocument> AntinodeProcessor::keptFocus() const
@@ -56,7 +58,7 @@ void AntinodeProcessor::setState (const SessionState& wanted, bool isRestored)
     controls->setValues (values);
     mutedCeramics = wanted.mutes;
     player->setGraphOpen (wanted.isGraphOpen);
-    player->tracking().setSettings (wanted.tracking);
+    player->following().setSettings (wanted.following);
 
     if (isOtherDevice)
         player->load (wanted.device, isOtherFocus ? wanted.focus : focus());

@@ -61,7 +61,7 @@ std::shared_ptr<const DeviceDocument> DeviceEffect::device() const
 
 DeviceState DeviceEffect::state() const
 {
-    return { device(), values(), keptFocus(), keptTracking() };
+    return { device(), values(), keptFocus(), keptFollowing() };
 }
 
 void DeviceEffect::setState (const DeviceState& wanted)
@@ -69,7 +69,7 @@ void DeviceEffect::setState (const DeviceState& wanted)
     const auto isOtherDevice = wanted.device->text != device()->text;
     setValues (wanted.parameters, *wanted.device);
     takeFocus (wanted.focus);
-    takeTracking (wanted.tracking);
+    takeFollowing (wanted.following);
 
     if (isOtherDevice)
         load (wanted.device);

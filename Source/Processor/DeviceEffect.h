@@ -132,8 +132,8 @@ private:
     virtual void takeNotes (const juce::MidiBuffer&, int) {} ///< Of the block whose channels come next.
     virtual void playChannels (const EffectBlock<float>&) = 0;
     virtual void playChannels (const EffectBlock<double>&) = 0;
-    virtual TrackingSettings keptTracking() const { return {}; } ///< Of effects that have a sensor.
-    virtual void takeTracking (const TrackingSettings&) {}
+    virtual FollowingSettings keptFollowing() const { return {}; } ///< Of effects that have a sensor.
+    virtual void takeFollowing (const FollowingSettings&) {}
 
     template <typename Sample>
     void play (juce::AudioBuffer<Sample>&, const juce::MidiBuffer&, bool isBypassed);

@@ -49,7 +49,7 @@ private:
     RandomNumbers random { 5 };
 };
 
-void playTracked (AntinodeProcessor& processor)
+void playFollowed (AntinodeProcessor& processor)
 {
     const auto model = processor.session().snapshot()->model;
     DriftingStaple staple (*model);
@@ -96,12 +96,12 @@ void takeDrift (const juce::File& file)
     processor.prepareToPlay (driftRate, driftBlock);
     processor.parameters().arm().setValueNotifyingHost (1);
     processor.parameters().find ("notes")->setValueNotifyingHost (1); // no designs for unused notes
-    TrackingSettings tracking;
-    tracking.sensor = TrackingSensor::ceramicCurrent;
-    tracking.ceramic = listening;
-    processor.session().tracking().setSettings (tracking);
+    FollowingSettings following;
+    following.sensor = FollowingSensor::ceramicCurrent;
+    following.ceramic = listening;
+    processor.session().following().setSettings (following);
     processor.session().waitUntilSettled();
-    playTracked (processor);
+    playFollowed (processor);
     auto& content = editor.content();
     content.showPanel ("Drift");
 

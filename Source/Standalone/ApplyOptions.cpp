@@ -1,7 +1,7 @@
 #include "ApplyOptions.h"
 
 #include "ColonNumbers.h"
-#include "TrackingOption.h"
+#include "FollowingOption.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
@@ -85,7 +85,7 @@ StandaloneSettings withOptions (StandaloneSettings settings, const StandaloneOpt
 
     if (options.sensorInput > 0)
         audio.inputs = { options.sensorInput - 1 };
-    else if (audio.inputs.empty() && ! options.tracking.empty() && readTracking (options.tracking).isOn())
+    else if (audio.inputs.empty() && ! options.following.empty() && readFollowing (options.following).isOn())
         audio.inputs = { 0 };
 
     settings.touch.oscPort = options.oscPort.value_or (settings.touch.oscPort);
@@ -122,8 +122,8 @@ void loadDocuments (StandaloneHost& host, const StandaloneOptions& options)
     if (options.opensGraph)
         host.processor().session().setGraphOpen (true);
 
-    if (! options.tracking.empty())
-        host.processor().session().tracking().setSettings (readTracking (options.tracking));
+    if (! options.following.empty())
+        host.processor().session().following().setSettings (readFollowing (options.following));
 
     if (device != nullptr || focus != nullptr)
         host.processor().load (std::move (device), std::move (focus));
@@ -165,15 +165,15 @@ void takeInputs (TouchHost& host, const StandaloneOptions& options)
     if (options.sensorInput > 0)
         inputs.sensor = options.sensorInput - 1;
 
-    if (! options.tracking.empty())
+    if (! options.following.empty())
     {
-        const auto wanted = readTracking (options.tracking);
+        const auto wanted = readFollowing (options.following);
 
         if (wanted.isOn() && inputs.sensor == FingerInputs::none)
-            throw InputError ("--track",
+            throw InputError ("--follow",
                               "needs --sensor-input with --touch: the input that the sensor is plugged into");
 
-        host.processor().session().tracking().setSettings (wanted);
+        host.processor().session().following().setSettings (wanted);
     }
 
     if (inputs != host.settings().inputs)

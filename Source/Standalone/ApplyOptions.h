@@ -7,7 +7,7 @@
 namespace antinode
 {
 /** The settings with what the options say in place of what they keep: device, rate, inputs, ports.
-    @throws InputError  as readTracking [any] */
+    @throws InputError  as readFollowing [any] */
 StandaloneSettings withOptions (StandaloneSettings, const StandaloneOptions&);
 
 /** The file that the options mean. [any] */

@@ -62,7 +62,7 @@ AudioPanel::AudioPanel (AudioHost& hostToUse) : host (hostToUse), inputView (hos
     addAndMakeVisible (failure);
     addAndMakeVisible (refresh);
     addAndMakeVisible (inputView);
-    input.setTooltip ("What tracking listens to; its level and spectrum are below. Nothing that comes in is played or "
+    input.setTooltip ("What following listens to; its level and spectrum are below. Nothing that comes in is played or "
                       "kept.");
     type.onChange = [this]
     {

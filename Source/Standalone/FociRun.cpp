@@ -63,13 +63,13 @@ void FociRun::begin()
 void FociRun::tick()
 {
     if (const auto rate = foci.callback().sampleRate(); rate > 0)
-        tracking.print (*foci.processor().session().tracking().status(),
-                        static_cast<double> (foci.callback().scheduleSamples()) / rate - armTime);
+        following.print (*foci.processor().session().following().status(),
+                         static_cast<double> (foci.callback().scheduleSamples()) / rate - armTime);
 }
 
 std::string FociRun::outcomeText()
 {
-    return tracking.ending();
+    return following.ending();
 }
 
 std::string FociRun::playedText()

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "FollowingReport.h"
 #include "HeadlessRun.h"
 #include "StandaloneHost.h"
-#include "TrackingReport.h"
 
 #include <vector>
 
@@ -25,6 +25,6 @@ private:
     std::string outcomeText() override;
 
     StandaloneHost& foci;
-    TrackingReport tracking;
+    FollowingReport following;
 };
 } // namespace antinode

@@ -27,7 +27,7 @@ InputsPanel::InputsPanel (TouchHost& hostToUse) : host (hostToUse)
         names[k].setText (isSensor ? juce::String ("Sensor") : "Finger " + juce::String (k + 1),
                           juce::dontSendNotification);
         names[k].setFont (EditorLook::font (EditorLook::smallTextHeight));
-        choices[k].setTooltip (isSensor ? juce::String ("Input of the audio device that tracking listens to")
+        choices[k].setTooltip (isSensor ? juce::String ("Input of the audio device that following listens to")
                                         : "Input of the audio device that finger " + juce::String (k + 1) + " feels");
         choices[k].onChange = [this, k]
         {

@@ -67,15 +67,15 @@ void addFingerOptions (CLI::App& app, StandaloneOptions& options)
 }
 
 /** A sensor that listens while foci or tracks play. */
-void addTrackingOptions (CLI::App& app, StandaloneOptions& options)
+void addFollowingOptions (CLI::App& app, StandaloneOptions& options)
 {
-    app.add_option ("--track", options.tracking,
-                    "Tracks the drift of the device while it plays, by velocity:X:Y or displacement:X:Y (mm), by "
+    app.add_option ("--follow,--track", options.following,
+                    "Follows the drift of the device while it plays, by velocity:X:Y or displacement:X:Y (mm), by "
                     "ceramic_current:N or ceramic_charge:N of an idle ceramic (from 1), or by none")
         ->type_name ("SENSOR");
     app.add_option ("--sensor-input", options.sensorInput,
                     "Input of the audio device for the sensor, from 1 (default: that of the settings; without --touch "
-                    "else 1 with --track)")
+                    "else 1 with --follow)")
         ->check (CLI::Range (1, maximumDeviceOutputs));
 }
 
@@ -112,7 +112,7 @@ void addStandaloneOptions (CLI::App& app, StandaloneOptions& options)
     app.add_flag ("--open-graph", options.opensGraph,
                   "Plays by separate nodes: the same samples at a higher cost, kept with the settings");
     addFingerOptions (app, options);
-    addTrackingOptions (app, options);
+    addFollowingOptions (app, options);
     addTouchOptions (app, options);
     auto* const file = app.add_option ("--settings", options.settings, "Settings file; default: the user's settings");
     app.add_flag ("--no-settings", options.ignoresSettings, "Neither reads nor saves settings")->excludes (file);

@@ -18,7 +18,7 @@ struct StandaloneOptions
     std::string focus, instrument;    ///< Names or files; empty: as in the settings.
     std::vector<std::string> notes;   ///< NOTE or NOTE:VELOCITY
     std::vector<double> times;        ///< s, of the notes in their order.
-    std::string tracking;             ///< As readTracking reads it; empty: as in the settings.
+    std::string following;            ///< As readFollowing reads it; empty: as in the settings.
     int sensorInput = 0;              ///< From 1; 0: as in the settings, the first one where a sensor is wanted.
     std::string midiFile, settings;   ///< Files; empty: none, the usual one.
     bool playsTouch = false;          ///< Antinode Touch in place of foci.

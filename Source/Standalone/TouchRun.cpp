@@ -45,13 +45,13 @@ std::string TouchRun::designsText() const
 void TouchRun::tick()
 {
     if (const auto rate = touch.callback().sampleRate(); rate > 0)
-        tracking.print (*touch.processor().session().tracking().status(),
-                        static_cast<double> (touch.callback().samplesPlayed() - begun) / rate);
+        following.print (*touch.processor().session().following().status(),
+                         static_cast<double> (touch.callback().samplesPlayed() - begun) / rate);
 }
 
 std::string TouchRun::outcomeText()
 {
-    return tracking.ending();
+    return following.ending();
 }
 
 std::string TouchRun::playedText()

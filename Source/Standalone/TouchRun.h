@@ -1,8 +1,8 @@
 #pragma once
 
+#include "FollowingReport.h"
 #include "HeadlessRun.h"
 #include "TouchHost.h"
-#include "TrackingReport.h"
 
 namespace antinode
 {
@@ -26,7 +26,7 @@ private:
     std::string outcomeText() override;
 
     TouchHost& touch;
-    TrackingReport tracking;
+    FollowingReport following;
     std::int64_t begun = 0; ///< Samples that the program had played when it began.
 };
 } // namespace antinode

@@ -33,7 +33,7 @@ TouchContent::TouchContent (TouchProcessor& processorToShow)
     theme.setTooltip ("Light or dark");
     theme.onClick = [this] { setDark (! isDark()); };
     driftChoice.setClickingTogglesState (true);
-    driftChoice.setTooltip ("The sensor that tracks the drift of the device, and what it says");
+    driftChoice.setTooltip ("The sensor that follows the drift of the device, and what it says");
     driftChoice.onClick = [this]
     {
         drift.setVisible (driftChoice.getToggleState());
@@ -97,10 +97,10 @@ void TouchContent::refresh (double seconds)
 
 DriftPanelSource TouchContent::driftSource()
 {
-    auto& tracking = processor.session().tracking();
-    return { tracking,
+    auto& following = processor.session().following();
+    return { following,
              [this] { return processor.session().snapshot()->model; },
-             [&tracking] (const auto& wanted) { tracking.setSettings (wanted); },
+             [&following] (const auto& wanted) { following.setSettings (wanted); },
              {} };
 }
 

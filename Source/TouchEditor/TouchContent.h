@@ -54,7 +54,7 @@ public:
     /** Loads a focus that notes play, as loadDevice does. */
     void loadFocus (const std::string& nameOrFile) { focus.loadDocument (nameOrFile); }
 
-    /** The sensor that tracks the drift; shown in place of the motions while its button is on. */
+    /** The sensor that follows the drift; shown in place of the motions while its button is on. */
     DriftPanel& driftPanel() { return drift; }
     juce::Button& driftButton() { return driftChoice; }
 

@@ -1,7 +1,7 @@
 #include "TouchProcessor.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_session/TrackingWords.h>
+#include <antinode_session/FollowingWords.h>
 
 #include <algorithm>
 #include <cmath>
@@ -179,15 +179,15 @@ std::vector<UserMessage> TouchProcessor::ownMessages()
                         + std::to_string (channels) + (channels == 1 ? " channel" : " channels") + ": ceramic "
                         + std::to_string (channels + 1) + " and above get nothing.");
 
-    const auto tracked = trackingMessage (*player->tracking().status());
-    addMessage (messages, tracked.urgency, tracked.text);
+    const auto followed = followingMessage (*player->following().status());
+    addMessage (messages, followed.urgency, followed.text);
     return messages;
 }
 
 template <typename Sample>
 void TouchProcessor::playFingers (const EffectBlock<Sample>& block)
 {
-    // A bounce does not depend on how quick the tracker's windows are.
+    // A bounce does not depend on how quick the follower's windows are.
     const auto* const sensor = isNonRealtime() ? nullptr : block.sensor;
 
     if (isNonRealtime())

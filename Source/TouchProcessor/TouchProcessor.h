@@ -78,8 +78,8 @@ private:
     std::vector<UserMessage> ownMessages() override;
     std::shared_ptr<const FocusDocument> keptFocus() const override { return focus(); }
     void takeFocus (const std::shared_ptr<const FocusDocument>&) override;
-    TrackingSettings keptTracking() const override { return player->tracking().settings(); }
-    void takeTracking (const TrackingSettings& wanted) override { player->tracking().setSettings (wanted); }
+    FollowingSettings keptFollowing() const override { return player->following().settings(); }
+    void takeFollowing (const FollowingSettings& wanted) override { player->following().setSettings (wanted); }
     void takeNotes (const juce::MidiBuffer&, int count) override;
     void playChannels (const EffectBlock<float>&) override;
     void playChannels (const EffectBlock<double>&) override;

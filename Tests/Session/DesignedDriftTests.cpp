@@ -13,7 +13,7 @@ FrequencyShift shiftOf (double change, double deviation)
 }
 } // namespace
 
-TEST_CASE ("Designs are made again for a mode that has moved by more than is uncertain of it", "[session][tracking]")
+TEST_CASE ("Designs are made again for a mode that has moved by more than is uncertain of it", "[session][following]")
 {
     DesignedDrift designed;
     CHECK_FALSE (designed.isOutdated (shiftOf (1e-2, 0), true)); // nothing was designed yet

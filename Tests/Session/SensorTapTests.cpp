@@ -28,7 +28,7 @@ void writeNext (SensorTap& tap, int count, int& next)
 }
 } // namespace
 
-TEST_CASE ("Frames come out of a tap as they went in, and a gap is told", "[session][tracking]")
+TEST_CASE ("Frames come out of a tap as they went in, and a gap is told", "[session][following]")
 {
     SensorTap tap (1, tapRate);
     Eigen::MatrixXd frames (2, 4000);
@@ -50,7 +50,7 @@ TEST_CASE ("Frames come out of a tap as they went in, and a gap is told", "[sess
     CHECK (frames (0, 0) == 500 + 12 * 300 + 1);
 }
 
-TEST_CASE ("The newest frames are kept without gaps", "[session][tracking]")
+TEST_CASE ("The newest frames are kept without gaps", "[session][following]")
 {
     SensorTap tap (1, tapRate);
     RecentFrames recent (tap, 0.8);

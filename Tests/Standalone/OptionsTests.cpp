@@ -1,6 +1,6 @@
 #include <Standalone/ApplyOptions.h>
+#include <Standalone/FollowingOption.h>
 #include <Standalone/Standalone.h>
-#include <Standalone/TrackingOption.h>
 
 #include "Support/ErrorText.h"
 
@@ -62,11 +62,11 @@ TEST_CASE ("what the standalone program cannot have ends with 1")
     CHECK (run ({ "--headless", "--no-settings", "--midi-file", "/no/such/file" }) == 1);
     CHECK (run ({ "--headless", "--no-settings", "--focus", "no such focus" }) == 1);
     CHECK (run ({ "--headless", "--no-settings", "--osc-port", "0", "--tuio-port", "0", "--type", "OSS" }) == 1);
-    CHECK (run ({ "--headless", "--no-settings", "--track", "ear" }) == 1);
+    CHECK (run ({ "--headless", "--no-settings", "--follow", "ear" }) == 1);
     CHECK (run ({ "--headless", "--no-settings", "--touch", "no such device" }) == 1);
     CHECK (run ({ "--headless", "--no-settings", "--touch", "--finger", "x" }) == 1);
     CHECK (run ({ "--headless", "--no-settings", "--touch", "--inputs", "1,2," }) == 1);
-    CHECK (run ({ "--headless", "--no-settings", "--touch", "--track", "velocity:0:0" }) == 1); // no --sensor-input
+    CHECK (run ({ "--headless", "--no-settings", "--touch", "--follow", "velocity:0:0" }) == 1); // no --sensor-input
 }
 
 TEST_CASE ("notes are numbers with a velocity or without, at their times")
@@ -115,18 +115,18 @@ TEST_CASE ("inputs of fingers are a list that counts from 1")
 
 TEST_CASE ("what tracks is a word with a place in mm, or with a ceramic that counts from 1")
 {
-    const auto place = readTracking ("velocity:-24.5:7");
-    CHECK (place.sensor == TrackingSensor::velocity);
+    const auto place = readFollowing ("velocity:-24.5:7");
+    CHECK (place.sensor == FollowingSensor::velocity);
     CHECK (place.xMillimetres == -24.5);
     CHECK (place.yMillimetres == 7);
-    CHECK (readTracking ("displacement:1e1:0").sensor == TrackingSensor::displacement);
-    CHECK (readTracking ("displacement:1e1:0").xMillimetres == 10);
-    const auto ceramic = readTracking ("ceramic_current:8");
-    CHECK (ceramic.sensor == TrackingSensor::ceramicCurrent);
+    CHECK (readFollowing ("displacement:1e1:0").sensor == FollowingSensor::displacement);
+    CHECK (readFollowing ("displacement:1e1:0").xMillimetres == 10);
+    const auto ceramic = readFollowing ("ceramic_current:8");
+    CHECK (ceramic.sensor == FollowingSensor::ceramicCurrent);
     CHECK (ceramic.ceramic == 7);
-    CHECK (readTracking ("ceramic_charge:64").sensor == TrackingSensor::ceramicCharge);
-    CHECK (readTracking ("ceramic_charge:64").ceramic == 63);
-    CHECK (readTracking ("none") == TrackingSettings());
+    CHECK (readFollowing ("ceramic_charge:64").sensor == FollowingSensor::ceramicCharge);
+    CHECK (readFollowing ("ceramic_charge:64").ceramic == 63);
+    CHECK (readFollowing ("none") == FollowingSettings());
 
     for (const std::string wrong : { "",
                                      ":",
@@ -150,8 +150,8 @@ TEST_CASE ("what tracks is a word with a place in mm, or with a ceramic that cou
                                      "ceramic_charge:65",
                                      "ceramic_charge:1e99" })
     {
-        const auto text = errorText ([&] { readTracking (wrong); });
-        CHECK (text.find ("--track " + wrong + ": ") == 0);
+        const auto text = errorText ([&] { readFollowing (wrong); });
+        CHECK (text.find ("--follow " + wrong + ": ") == 0);
         CHECK (text.find ("allowed: velocity:X:Y") != std::string::npos);
     }
 }
@@ -162,15 +162,15 @@ TEST_CASE ("who tracks opens the first input, unless another one is chosen or ke
     StandaloneOptions options;
     const auto inputs = [&] { return withOptions (settings, options).audio.inputs; };
     CHECK (inputs().empty());
-    options.tracking = "none";
+    options.following = "none";
     CHECK (inputs().empty());
-    options.tracking = "ceramic_current:8";
+    options.following = "ceramic_current:8";
     CHECK (inputs() == std::vector { 0 });
     settings.audio.inputs = { 4 };
     CHECK (inputs() == std::vector { 4 });
     options.sensorInput = 3;
     CHECK (inputs() == std::vector { 2 });
-    options.tracking.clear();
+    options.following.clear();
     CHECK (inputs() == std::vector { 2 });
 }
 

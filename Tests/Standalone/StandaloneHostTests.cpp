@@ -1,5 +1,5 @@
+#include <Standalone/FollowingOption.h>
 #include <Standalone/StandaloneHost.h>
-#include <Standalone/TrackingOption.h>
 
 #include "Support/BlockingActions.h"
 #include "Support/LargestDevice.h"
@@ -137,21 +137,21 @@ TEST_CASE ("a program that plays foci listens to the first open input")
     auto& session = host.processor().session();
     juce::BigInteger inputs;
     inputs.setBit (1);
-    session.tracking().setSettings (readTracking ("ceramic_current:8"));
+    session.following().setSettings (readFollowing ("ceramic_current:8"));
     host.callback().prepare (48000, 256, {}, inputs);
     session.waitUntilSettled();
 
-    // What is no number is never explained: the tracker says so after a window.
+    // What is no number is never explained: the follower says so after a window.
     const std::vector<float> broken (4800, std::numeric_limits<float>::quiet_NaN());
     const std::array<const float*, 1> sources { broken.data() };
 
-    for (int i = 0; i < 6000 && session.tracking().status()->state != TrackingState::lost; ++i)
+    for (int i = 0; i < 6000 && session.following().status()->state != FollowingState::lost; ++i)
     {
         host.callback().audioDeviceIOCallbackWithContext (sources.data(), 1, nullptr, 0, 4800, {});
         std::this_thread::sleep_for (std::chrono::milliseconds (20));
     }
 
-    CHECK (session.tracking().status()->state == TrackingState::lost);
+    CHECK (session.following().status()->state == FollowingState::lost);
 }
 
 TEST_CASE ("who quits while a device is solved or a focus designed does not wait")

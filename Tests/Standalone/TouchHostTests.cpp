@@ -1,6 +1,6 @@
+#include <Standalone/FollowingOption.h>
 #include <Standalone/MainComponent.h>
 #include <Standalone/TouchHost.h>
-#include <Standalone/TrackingOption.h>
 
 #include "Support/TemporaryFolder.h"
 
@@ -142,7 +142,7 @@ TEST_CASE ("what the touch program keeps comes back disarmed, beside what the fo
     {
         TouchRig rig ({ { 0.1, 0.06, 0 } }, SettingsFile (path), true);
         rig.host.setInputs ({ { 1, 0, 2, 3, 4, 5, 6, FingerInputs::none }, 11 });
-        rig.host.processor().session().tracking().setSettings (readTracking ("ceramic_charge:2"));
+        rig.host.processor().session().following().setSettings (readFollowing ("ceramic_charge:2"));
         rig.host.setTouch ({ 0, 0, "127.0.0.1" });
     }
     {
@@ -152,7 +152,7 @@ TEST_CASE ("what the touch program keeps comes back disarmed, beside what the fo
         CHECK (host.settings().inputs.inputs[0] == 1);
         CHECK (host.settings().inputs.inputs[7] == FingerInputs::none);
         CHECK (host.settings().inputs.sensor == 11);
-        CHECK (host.processor().session().tracking().settings() == readTracking ("ceramic_charge:2"));
+        CHECK (host.processor().session().following().settings() == readFollowing ("ceramic_charge:2"));
         CHECK (host.processor().parameters().settings().fingers[0].presence == FingerPresence::silent);
     }
     const StandaloneHost foci (SettingsFile (path), true);

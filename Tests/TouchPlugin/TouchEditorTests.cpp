@@ -147,10 +147,10 @@ TEST_CASE ("The touch editor says what is wrong, and what goes on, in its status
     CHECK (content.status() == "Disarmed: all voltages are 0 V.");
 }
 
-TEST_CASE ("The touch editor shows what tracks the device, and undoes a reset", "[touch-plugin][editor][tracking]")
+TEST_CASE ("The touch editor shows what tracks the device, and undoes a reset", "[touch-plugin][editor][following]")
 {
     const auto processor = offlineTouch (8, 48000, 480);
-    auto& tracking = processor->session().tracking();
+    auto& following = processor->session().following();
     TouchEditor editor (*processor);
     auto& content = editor.content();
     auto& panel = content.driftPanel();
@@ -159,27 +159,27 @@ TEST_CASE ("The touch editor shows what tracks the device, and undoes a reset", 
     content.driftButton().onClick();
     CHECK (panel.isVisible());
     refreshUntil (content, [&] { return panel.ceramicChoice().getNumItems() == 8; });
-    panel.sensorChoice().setSelectedId (static_cast<int> (TrackingSensor::ceramicCurrent) + 1,
+    panel.sensorChoice().setSelectedId (static_cast<int> (FollowingSensor::ceramicCurrent) + 1,
                                         juce::sendNotificationSync);
     panel.ceramicChoice().setSelectedId (3, juce::sendNotificationSync);
-    CHECK (tracking.settings().sensor == TrackingSensor::ceramicCurrent);
-    CHECK (tracking.settings().ceramic == 2);
+    CHECK (following.settings().sensor == FollowingSensor::ceramicCurrent);
+    CHECK (following.settings().ceramic == 2);
     refreshUntil (content, [&] { return panel.words().startsWith ("Waiting: "); });
     KnownDrift drift;
     const auto model = processor->session().snapshot()->model;
-    const auto tracked = trackedModes (*model, 48000);
-    drift.nominal = tracked.angularFrequencies;
-    drift.layout = driftLayout (tracked, 1);
-    drift.tracked = startOfTracking (drift.layout, {});
+    const auto followed = followedModes (*model, 48000);
+    drift.nominal = followed.angularFrequencies;
+    drift.layout = driftLayout (followed, 1);
+    drift.sensed = startOfFollowing (drift.layout, {});
     const auto known = std::make_shared<const KnownDrift> (drift);
-    tracking.setDrift (known);
-    refreshUntil (content, [&] { return tracking.drift() == known; });
+    following.setDrift (known);
+    refreshUntil (content, [&] { return following.drift() == known; });
     panel.resetButton().onClick();
     CHECK (panel.undoButton().isVisible());
-    refreshUntil (content, [&] { return tracking.drift() == nullptr; });
+    refreshUntil (content, [&] { return following.drift() == nullptr; });
     panel.undoButton().onClick();
     CHECK_FALSE (panel.undoButton().isVisible());
-    refreshUntil (content, [&] { return tracking.drift() == known; });
+    refreshUntil (content, [&] { return following.drift() == known; });
 }
 
 TEST_CASE ("Closing Antinode Touch or its editor does not wait for what is computed",

@@ -74,7 +74,7 @@ TEST_CASE ("The touch plug-in asks for no memory and waits for nothing while fin
     const auto focus = std::make_shared<const FocusDocument> (
         readFocusDocument (loadDocument (LibraryKind::focus, "aluminium-centre"), "focus"));
     processor.loadFocus (focus);
-    processor.session().tracking().setSettings ({ TrackingSensor::velocity, 20, 20 });
+    processor.session().following().setSettings ({ FollowingSensor::velocity, 20, 20 });
     processor.session().waitUntilSettled();
     TouchFindings findings;
     std::atomic<bool> isPlaying { true };

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "FollowingSettings.h"
+#include "FollowingStatus.h"
 #include "KnownDrift.h"
 #include "SensorTap.h"
-#include "TrackingSettings.h"
-#include "TrackingStatus.h"
 
 #include <antinode_base/BackgroundThread.h>
 #include <antinode_model/ModalModel.h>
@@ -16,26 +16,26 @@ namespace antinode
 {
 /** Follows the drift of a device that plays, window by window, on a thread of its own. It reads what the audio thread
    writes to a tap; whoever plays asks for what is known and designs again. Docs/Decisions/0153. */
-class DriftTracker
+class DriftFollower
 {
 public:
-    /** What is tracked, and by what. */
+    /** What is followed, and by what. */
     struct Setup
     {
         std::shared_ptr<const ModalModel> model; ///< As it is without drift, with all ceramics.
-        TrackingSettings settings;
+        FollowingSettings settings;
         std::shared_ptr<SensorTap> tap;
         std::shared_ptr<const KnownDrift> known; ///< From before, of the same device; none: the model.
-        std::vector<TrackedMoment> trace;        ///< From before.
+        std::vector<FollowedMoment> trace;       ///< From before.
     };
 
-    /** Starts. A device or sensor that cannot be tracked becomes a status. [worker] */
-    explicit DriftTracker (Setup);
+    /** Starts. A device or sensor that cannot be followed becomes a status. [worker] */
+    explicit DriftFollower (Setup);
 
     /** Does not wait for a window that is under way. [any but the audio thread] */
-    ~DriftTracker();
-    DriftTracker (const DriftTracker&) = delete;
-    DriftTracker& operator= (const DriftTracker&) = delete;
+    ~DriftFollower();
+    DriftFollower (const DriftFollower&) = delete;
+    DriftFollower& operator= (const DriftFollower&) = delete;
 
     /** Stops learning, and goes on. [any but the audio thread] */
     void setFrozen (bool);
@@ -51,7 +51,7 @@ public:
     std::shared_ptr<const KnownDrift> known() const;
 
     /** [any but the audio thread] */
-    std::shared_ptr<const TrackingStatus> status() const;
+    std::shared_ptr<const FollowingStatus> status() const;
 
 private:
     struct Work;

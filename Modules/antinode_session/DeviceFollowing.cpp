@@ -1,4 +1,4 @@
-#include "DeviceTracking.h"
+#include "DeviceFollowing.h"
 
 #include <algorithm>
 #include <utility>
@@ -7,13 +7,13 @@ namespace antinode
 {
 namespace
 {
-TrackingSettings neverFrozen (TrackingSettings settings)
+FollowingSettings neverFrozen (FollowingSettings settings)
 {
     settings.isFrozen = false;
     return settings;
 }
 
-/** Modes that are not tracked follow the others but for what each has of its own. */
+/** Modes that are not followed follow the others but for what each has of its own. */
 FrequencyShift shiftBy (const std::shared_ptr<const KnownDrift>& drift, Eigen::Index modes)
 {
     FrequencyShift shift { Eigen::VectorXd::Zero (modes), Eigen::VectorXd::Zero (modes) };
@@ -21,30 +21,30 @@ FrequencyShift shiftBy (const std::shared_ptr<const KnownDrift>& drift, Eigen::I
     if (drift == nullptr)
         return shift;
 
-    const auto& [nominal, layout, tracked] = *drift;
-    shift.changes = frequencyChanges (tracked.estimate, layout, modes);
+    const auto& [nominal, layout, sensed] = *drift;
+    shift.changes = frequencyChanges (sensed.estimate, layout, modes);
     shift.deviations.setConstant (DriftSpread().frequency);
 
     for (Eigen::Index k = 0; k < std::min (modes, layout.modes); ++k)
-        shift.deviations[k] = tracked.estimate.deviation (layout.frequency (k));
+        shift.deviations[k] = sensed.estimate.deviation (layout.frequency (k));
 
     return shift;
 }
 } // namespace
 
-DeviceTracking::DeviceTracking (std::shared_ptr<TrackingRequests> requestsToServe)
+DeviceFollowing::DeviceFollowing (std::shared_ptr<FollowingRequests> requestsToServe)
     : requests (std::move (requestsToServe))
 {
 }
 
-void DeviceTracking::take (const ModalModel* model)
+void DeviceFollowing::take (const ModalModel* model)
 {
     const auto round = requests->take();
     hasOtherSensor = hasOtherSensor || neverFrozen (settings) != neverFrozen (round.settings);
     settings = round.settings;
 
-    if (tracker != nullptr)
-        tracker->setFrozen (settings.isFrozen);
+    if (follower != nullptr)
+        follower->setFrozen (settings.isFrozen);
 
     if (! round.isDriftNew)
         return;
@@ -52,25 +52,25 @@ void DeviceTracking::take (const ModalModel* model)
     // An undo may bring one of another device.
     drift = round.drift != nullptr && model != nullptr && round.drift->isOf (*model) ? round.drift : nullptr;
 
-    if (tracker != nullptr)
-        tracker->setKnown (drift);
+    if (follower != nullptr)
+        follower->setKnown (drift);
 }
 
-void DeviceTracking::forget()
+void DeviceFollowing::forget()
 {
-    tracker.reset();
+    follower.reset();
     drift.reset();
 }
 
-std::vector<int> DeviceTracking::idleCeramics (const ModalModel* model) const
+std::vector<int> DeviceFollowing::idleCeramics (const ModalModel* model) const
 {
     const auto isThere = model != nullptr && settings.ceramic >= 0 && settings.ceramic < model->actuators();
     return settings.isCeramic() && isThere ? std::vector { settings.ceramic + 1 } : std::vector<int>();
 }
 
-Listening DeviceTracking::listen (std::shared_ptr<const ModalModel> tracked, double sampleRate)
+Listening DeviceFollowing::listen (std::shared_ptr<const ModalModel> followed, double sampleRate)
 {
-    tracker.reset();
+    follower.reset();
     hasOtherSensor = false;
 
     if (! settings.isOn())
@@ -79,30 +79,30 @@ Listening DeviceTracking::listen (std::shared_ptr<const ModalModel> tracked, dou
         return {};
     }
 
-    Listening listening { std::make_shared<SensorTap> (tracked->actuators(), sampleRate) };
+    Listening listening { std::make_shared<SensorTap> (followed->actuators(), sampleRate) };
 
-    for (const auto ceramic : idleCeramics (tracked.get()))
+    for (const auto ceramic : idleCeramics (followed.get()))
         listening.idle |= 1ULL << (ceramic - 1);
 
-    tracker = std::make_unique<DriftTracker> (
-        DriftTracker::Setup { std::move (tracked), settings, listening.tap, drift, requests->status()->trace });
-    tracker->setHindrance (hindrance);
+    follower = std::make_unique<DriftFollower> (
+        DriftFollower::Setup { std::move (followed), settings, listening.tap, drift, requests->status()->trace });
+    follower->setHindrance (hindrance);
     return listening;
 }
 
-void DeviceTracking::setHindrance (const std::string& reason)
+void DeviceFollowing::setHindrance (const std::string& reason)
 {
-    if (std::exchange (hindrance, reason) != reason && tracker != nullptr)
-        tracker->setHindrance (reason);
+    if (std::exchange (hindrance, reason) != reason && follower != nullptr)
+        follower->setHindrance (reason);
 }
 
-void DeviceTracking::read (const ModalModel* model)
+void DeviceFollowing::read (const ModalModel* model)
 {
-    const auto status = tracker != nullptr ? tracker->status() : notTracked;
+    const auto status = follower != nullptr ? follower->status() : notFollowed;
     const auto modes = model != nullptr ? model->modes() : 0;
 
-    if (tracker != nullptr)
-        drift = tracker->known();
+    if (follower != nullptr)
+        drift = follower->known();
 
     if (drift == seenDrift && status == seenStatus && shifted.changes.size() == modes)
         return;
@@ -112,10 +112,10 @@ void DeviceTracking::read (const ModalModel* model)
     seenDrift = drift;
     auto now = *status;
     now.redesigns = redesigns;
-    requests->publish (std::make_shared<const TrackingStatus> (std::move (now)), drift);
+    requests->publish (std::make_shared<const FollowingStatus> (std::move (now)), drift);
 }
 
-void DeviceTracking::noteDesigned()
+void DeviceFollowing::noteDesigned()
 {
     redesigns += designed.note (shifted.changes) ? 1 : 0;
 }

@@ -13,16 +13,16 @@ enum class SensorQuantity
     amount ///< The charge of an idle ceramic or its voltage: signals are differentiated.
 };
 
-/** A device and the sensor that it is tracked by. */
-struct TrackedSensor
+/** A device and the sensor that it is followed by. */
+struct DriftSensor
 {
     Eigen::RowVectorXd shapes; ///< N_m, as Sensor; up to a factor, which is found.
     SensorQuantity quantity = SensorQuantity::rate;
     bool hearsVoltages = false; ///< An idle ceramic: what it hears of its neighbours without any motion is removed.
 };
 
-/** All that is known of a tracked device from one window to the next. */
-struct TrackedDrift
+/** All that is known of a followed device from one window to the next. */
+struct SensedDrift
 {
     DriftEstimate estimate;
     double delay = 0;    ///< s, from voltages to signal.
@@ -32,40 +32,40 @@ struct TrackedDrift
 };
 
 /** Nothing was heard yet. [any] */
-TrackedDrift startOfTracking (const DriftLayout&, const DriftSpread&);
+SensedDrift startOfFollowing (const DriftLayout&, const DriftSpread&);
 
-/** What one more window of a tracked device says. */
-struct TrackedWindow
+/** What one more window of a followed device says. */
+struct FollowedWindow
 {
-    TrackedDrift drift;
+    SensedDrift drift;
     FollowedDrift followed; ///< Its estimate is that of `drift`.
 };
 
-/** The lowest modes of a device that are tracked: a window costs with their square. The others follow what all
+/** The lowest modes of a device that are followed: a window costs with their square. The others follow what all
    frequencies share.
     @throws InputError  where the rate is below that of the lowest mode; for complex modes
     [any] */
-ModalModel trackedModes (const ModalModel&, double sampleRate);
+ModalModel followedModes (const ModalModel&, double sampleRate);
 
 /** What is compared at once, s. */
-inline constexpr double trackedWindow = 0.5;
+inline constexpr double followedWindow = 0.5;
 
 /** How much of what was played a window takes before its sensor is known, s: with what the modes remember, and the
     longest delay. [any] */
-double trackedLength (const DriftSettings&);
+double followedLength (const DriftSettings&);
 
 /** For how long before a window the modes remember, s: until the slowest has decayed to 3 %, .1 to .5 s. [any] */
-double trackingMemory (const ModalModel&);
+double followingMemory (const ModalModel&);
 
 /** Follows one window of what was played. Where nothing is known of the sensor yet, or windows were lost for a while,
     its delay, scale and sign are searched for first. Then the window is followed as followDrift does, with the delay as
     a parameter. Signals that are broken, or that the model does not explain, change nothing, and the reason is said.
-    @param nominal    trackedModes()
+    @param nominal    followedModes()
     @param before     at the time of the window: afterTime()
-    @param recording  of the voltages that were played and the signal, trackedLength() or more; full scale is 1; its
+    @param recording  of the voltages that were played and the signal, followedLength() or more; full scale is 1; its
                       noise and delay are not looked at
     @throws InputError  as followDrift; Cancelled as checkWatch()
     [worker] Docs/Theory.md, section 7.10. */
-TrackedWindow trackWindow (const ModalModel& nominal, const TrackedSensor&, const TrackedDrift& before,
-                           PlayedRecording recording, const DriftSettings&);
+FollowedWindow followWindow (const ModalModel& nominal, const DriftSensor&, const SensedDrift& before,
+                             PlayedRecording recording, const DriftSettings&);
 } // namespace antinode

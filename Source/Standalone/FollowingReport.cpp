@@ -1,7 +1,7 @@
-#include "TrackingReport.h"
+#include "FollowingReport.h"
 
 #include <antinode_base/NumberText.h>
-#include <antinode_session/TrackingWords.h>
+#include <antinode_session/FollowingWords.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -10,11 +10,11 @@
 namespace antinode
 {
 /** What is lost says another number with every window: only the first is news. */
-std::string TrackingReport::news (const TrackingStatus& now)
+std::string FollowingReport::news (const FollowingStatus& now)
 {
     const auto isOtherState = std::exchange (state, now.state) != now.state;
     const auto isOtherReason = std::exchange (reason, now.reason) != now.reason;
-    const auto hasJumped = state == TrackingState::following && ! reason.empty() && isOtherReason;
+    const auto hasJumped = state == FollowingState::following && ! reason.empty() && isOtherReason;
 
     if (! now.trace.empty())
         drift = now.trace.back().common;
@@ -22,13 +22,13 @@ std::string TrackingReport::news (const TrackingStatus& now)
     if (! isOtherState && ! hasJumped)
         return {};
 
-    if (state == TrackingState::off)
-        return "tracking off";
+    if (state == FollowingState::off)
+        return "following off";
 
     return summary() + (reason.empty() ? std::string() : ": " + reason);
 }
 
-void TrackingReport::print (const TrackingStatus& now, double seconds)
+void FollowingReport::print (const FollowingStatus& now, double seconds)
 {
     if (const auto what = news (now); ! what.empty())
     {
@@ -37,18 +37,18 @@ void TrackingReport::print (const TrackingStatus& now, double seconds)
     }
 }
 
-std::string TrackingReport::ending() const
+std::string FollowingReport::ending() const
 {
     const auto drifted = summary();
     return drifted.empty() ? std::string() : "; " + drifted;
 }
 
-std::string TrackingReport::summary() const
+std::string FollowingReport::summary() const
 {
-    if (state == TrackingState::off)
+    if (state == FollowingState::off)
         return {};
 
     return (drift ? formatted ("drift %+.2f %%, ", 100 * *drift) : std::string ("drift unknown, "))
-           + std::string (wordFor (trackingStateWords, state));
+           + std::string (wordFor (followingStateWords, state));
 }
 } // namespace antinode

@@ -1,4 +1,4 @@
-#include "TrackWindow.h"
+#include "FollowWindow.h"
 
 #include "AcquireSensor.h"
 #include "LowerRate.h"
@@ -16,24 +16,24 @@ namespace antinode
 {
 namespace
 {
-constexpr Eigen::Index mostTracked = 48; // modes
-constexpr double longestDelay = 0.25;    // s
-constexpr double edges = 0.03;           // s, that are lost where a recording is cut
-constexpr int patience = 3;              // windows that are lost before the sensor is searched for again
-constexpr double leastExplained = 0.6;   // of a signal, RMS, by the lowest modes
-constexpr double noiseShare = 0.01;      // of the signal: 40 dB
-constexpr double leastNoise = 3e-5;      // of full scale: one step of 16 bits
+constexpr Eigen::Index mostFollowed = 48; // modes
+constexpr double longestDelay = 0.25;     // s
+constexpr double edges = 0.03;            // s, that are lost where a recording is cut
+constexpr int patience = 3;               // windows that are lost before the sensor is searched for again
+constexpr double leastExplained = 0.6;    // of a signal, RMS, by the lowest modes
+constexpr double noiseShare = 0.01;       // of the signal: 40 dB
+constexpr double leastNoise = 3e-5;       // of full scale: one step of 16 bits
 constexpr int mostDelaySteps = 4;
 constexpr double smallestDelayStep = 5e-7; // s
 constexpr double fullScale = 0.999;
 constexpr double mostAtFullScale = 1e-3; // of the samples
 
-FollowedDrift nothingNew (const TrackedDrift& drift, DriftState state, double unexplained, std::string reason)
+FollowedDrift nothingNew (const SensedDrift& drift, DriftState state, double unexplained, std::string reason)
 {
     return { drift.estimate, state, unexplained, 0, std::move (reason) };
 }
 
-TrackedWindow lostWindow (TrackedDrift drift, double unexplained, std::string reason)
+FollowedWindow lostWindow (SensedDrift drift, double unexplained, std::string reason)
 {
     ++drift.lost;
     auto followed = nothingNew (drift, DriftState::lost, unexplained, std::move (reason));
@@ -67,7 +67,7 @@ PlayedRecording newestOf (const PlayedRecording& recording, double seconds)
              recording.noise, recording.delay };
 }
 
-/** Below the highest tracked mode, as a rate: of what is differentiated the noise is, too. */
+/** Below the highest followed mode, as a rate: of what is differentiated the noise is, too. */
 PlayedRecording prepared (const PlayedRecording& recording, const ModalModel& nominal, SensorQuantity quantity)
 {
     auto result = atLowerRate (recording, highestModelled (nominal));
@@ -81,7 +81,7 @@ PlayedRecording prepared (const PlayedRecording& recording, const ModalModel& no
     return result;
 }
 
-DriftSettings withSensor (DriftSettings settings, const ModalModel& nominal, const TrackedSensor& sensor, double scale,
+DriftSettings withSensor (DriftSettings settings, const ModalModel& nominal, const DriftSensor& sensor, double scale,
                           double delayDeviation)
 {
     const Sensor scaled { scale * sensor.shapes };
@@ -94,13 +94,13 @@ DriftSettings withSensor (DriftSettings settings, const ModalModel& nominal, con
 struct Heard
 {
     const ModalModel& nominal;
-    const TrackedSensor& sensor;
+    const DriftSensor& sensor;
     const PlayedRecording& recording;
     const DriftSettings& settings;
 };
 
 /** The sensors that may be, with all frequencies where they were found. */
-std::vector<AcquiredSensor> search (const Heard& heard, const TrackedDrift& drift)
+std::vector<AcquiredSensor> search (const Heard& heard, const SensedDrift& drift)
 {
     const auto layout = driftLayout (heard.nominal, 1);
     return likelySensors (driftedModel (heard.nominal, layout, drift.estimate.values), heard.sensor.shapes,
@@ -109,8 +109,8 @@ std::vector<AcquiredSensor> search (const Heard& heard, const TrackedDrift& drif
 }
 
 /** What is known of the device from now on, if the sensor is as it was found. */
-TrackedDrift withAcquired (TrackedDrift drift, const ModalModel& nominal, const TrackedSensor& sensor,
-                           const AcquiredSensor& found, const DriftSettings& settings)
+SensedDrift withAcquired (SensedDrift drift, const ModalModel& nominal, const DriftSensor& sensor,
+                          const AcquiredSensor& found, const DriftSettings& settings)
 {
     // Frequencies that are off by a part of a step look like a delay, the more the longer modes remember.
     constexpr double share = 0.25;
@@ -128,8 +128,8 @@ TrackedDrift withAcquired (TrackedDrift drift, const ModalModel& nominal, const 
 }
 
 /** A step with a sensor that is known. */
-TrackedWindow followKnown (const ModalModel& nominal, const TrackedSensor& sensor, TrackedDrift drift,
-                           PlayedRecording recording, const DriftSettings& settings)
+FollowedWindow followKnown (const ModalModel& nominal, const DriftSensor& sensor, SensedDrift drift,
+                            PlayedRecording recording, const DriftSettings& settings)
 {
     const auto layout = driftLayout (nominal, 1);
     const std::vector<Sensor> sensors { { drift.scale * sensor.shapes } };
@@ -152,18 +152,18 @@ TrackedWindow followKnown (const ModalModel& nominal, const TrackedSensor& senso
     return { std::move (drift), std::move (followed) };
 }
 /** A step with the newest part of the recording. */
-TrackedWindow followNewest (const Heard& heard, TrackedDrift drift)
+FollowedWindow followNewest (const Heard& heard, SensedDrift drift)
 {
-    const auto newest = newestOf (heard.recording, heard.settings.memory + trackedWindow + drift.delay + edges);
+    const auto newest = newestOf (heard.recording, heard.settings.memory + followedWindow + drift.delay + edges);
     return followKnown (heard.nominal, heard.sensor, std::move (drift),
                         prepared (newest, heard.nominal, heard.sensor.quantity), heard.settings);
 }
 
 /** A step from one of several sensors: the one that leaves least unexplained counts, whatever the lowest modes alone
    say. A delay is linear only where it is small: from the one that was found the same window is followed once more. */
-TrackedWindow followLikeliest (const Heard& heard, const std::vector<TrackedDrift>& likely)
+FollowedWindow followLikeliest (const Heard& heard, const std::vector<SensedDrift>& likely)
 {
-    const auto isBetter = [] (const TrackedWindow& a, const TrackedWindow& b) {
+    const auto isBetter = [] (const FollowedWindow& a, const FollowedWindow& b) {
         return std::pair (a.followed.state, a.followed.unexplained)
                < std::pair (b.followed.state, b.followed.unexplained);
     };
@@ -189,7 +189,7 @@ TrackedWindow followLikeliest (const Heard& heard, const std::vector<TrackedDrif
 }
 
 /** A step with a sensor that has to be found first. */
-TrackedWindow acquire (const Heard& heard, TrackedDrift drift)
+FollowedWindow acquire (const Heard& heard, SensedDrift drift)
 {
     const auto found = search (heard, drift);
     const auto explained = found.empty() ? 0 : found.front().explained;
@@ -198,7 +198,7 @@ TrackedWindow acquire (const Heard& heard, TrackedDrift drift)
         return lostWindow (std::move (drift), 1 - explained,
                            "The sensor does not hear what is played, or something else.");
 
-    std::vector<TrackedDrift> likely;
+    std::vector<SensedDrift> likely;
     likely.reserve (found.size());
 
     for (const auto& one : found)
@@ -217,31 +217,31 @@ TrackedWindow acquire (const Heard& heard, TrackedDrift drift)
 }
 } // namespace
 
-TrackedDrift startOfTracking (const DriftLayout& layout, const DriftSpread& spread)
+SensedDrift startOfFollowing (const DriftLayout& layout, const DriftSpread& spread)
 {
     return { startOfDrift (layout, spread) };
 }
 
-ModalModel trackedModes (const ModalModel& model, double sampleRate)
+ModalModel followedModes (const ModalModel& model, double sampleRate)
 {
     requireRealModes (model, "following a drift");
     const auto within = modesWithin (model, sampleRate);
-    return firstModes (within, std::min (within.modes(), mostTracked));
+    return firstModes (within, std::min (within.modes(), mostFollowed));
 }
 
-double trackedLength (const DriftSettings& settings)
+double followedLength (const DriftSettings& settings)
 {
-    return settings.memory + trackedWindow + longestDelay + edges;
+    return settings.memory + followedWindow + longestDelay + edges;
 }
 
-double trackingMemory (const ModalModel& model)
+double followingMemory (const ModalModel& model)
 {
     constexpr double left = 0.03, shortest = 0.1, longest = 0.5;
     return std::clamp (-std::log (left) / decayRates (model).minCoeff(), shortest, longest);
 }
 
-TrackedWindow trackWindow (const ModalModel& nominal, const TrackedSensor& sensor, const TrackedDrift& before,
-                           PlayedRecording recording, const DriftSettings& settings)
+FollowedWindow followWindow (const ModalModel& nominal, const DriftSensor& sensor, const SensedDrift& before,
+                             PlayedRecording recording, const DriftSettings& settings)
 {
     if (auto fault = faultOf (recording); ! fault.empty())
         return lostWindow (before, 1, std::move (fault));

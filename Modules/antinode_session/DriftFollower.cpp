@@ -1,4 +1,4 @@
-#include "DriftTracker.h"
+#include "DriftFollower.h"
 
 #include "RecentFrames.h"
 
@@ -23,18 +23,18 @@ namespace
 constexpr auto tapInterval = std::chrono::milliseconds (50); // between looks at the tap
 constexpr std::size_t longestTrace = 4000;                   // moments
 
-TrackedSensor sensorOf (const TrackingSettings& settings, const ModalModel& model)
+DriftSensor sensorOf (const FollowingSettings& settings, const ModalModel& model)
 {
     const auto isAmount =
-        settings.sensor == TrackingSensor::displacement || settings.sensor == TrackingSensor::ceramicCharge;
+        settings.sensor == FollowingSensor::displacement || settings.sensor == FollowingSensor::ceramicCharge;
     const auto quantity = isAmount ? SensorQuantity::amount : SensorQuantity::rate;
 
     if (settings.isCeramic())
     {
         if (settings.ceramic < 0 || settings.ceramic >= model.actuators())
-            throw InputError ("tracking", "ceramic " + std::to_string (settings.ceramic + 1)
-                                              + " is not on the device; allowed: 1 to "
-                                              + std::to_string (model.actuators()));
+            throw InputError ("following", "ceramic " + std::to_string (settings.ceramic + 1)
+                                               + " is not on the device; allowed: 1 to "
+                                               + std::to_string (model.actuators()));
 
         // By reciprocity.
         return { model.participation.col (settings.ceramic).transpose(), quantity, true };
@@ -43,20 +43,20 @@ TrackedSensor sensorOf (const TrackingSettings& settings, const ModalModel& mode
     return { shapesAt (model, settings.xMillimetres / milli, settings.yMillimetres / milli), quantity, false };
 }
 
-TrackingState stateOf (DriftState state, const TrackedDrift& drift)
+FollowingState stateOf (DriftState state, const SensedDrift& drift)
 {
     if (state == DriftState::following)
-        return TrackingState::following;
+        return FollowingState::following;
 
     if (state == DriftState::lost)
-        return TrackingState::lost;
+        return FollowingState::lost;
 
-    return drift.scale == 0 ? TrackingState::waiting : TrackingState::silent;
+    return drift.scale == 0 ? FollowingState::waiting : FollowingState::silent;
 }
 } // namespace
 
 /** What owner and thread share; the thread may go on after the owner. */
-struct DriftTracker::Work
+struct DriftFollower::Work
 {
     explicit Work (Setup given)
         : setup (std::move (given)), isFrozen (setup.settings.isFrozen), isDriftNew (setup.known != nullptr),
@@ -73,7 +73,7 @@ struct DriftTracker::Work
     };
 
     Wish awaitWish();
-    void publish (const TrackingStatus&, std::shared_ptr<const KnownDrift>);
+    void publish (const FollowingStatus&, std::shared_ptr<const KnownDrift>);
 
     const Setup setup;
     mutable std::mutex mutex; ///< For all that follows.
@@ -81,10 +81,10 @@ struct DriftTracker::Work
     bool isStopping = false, isFrozen, isDriftNew;
     std::shared_ptr<const KnownDrift> drift;
     std::string hindrance;
-    std::shared_ptr<const TrackingStatus> status = std::make_shared<const TrackingStatus>();
+    std::shared_ptr<const FollowingStatus> status = std::make_shared<const FollowingStatus>();
 };
 
-DriftTracker::Work::Wish DriftTracker::Work::awaitWish()
+DriftFollower::Work::Wish DriftFollower::Work::awaitWish()
 {
     std::unique_lock lock (mutex);
     wake.wait_for (lock, tapInterval, [this] { return isStopping || isDriftNew; });
@@ -92,9 +92,9 @@ DriftTracker::Work::Wish DriftTracker::Work::awaitWish()
 }
 
 /** Not over what the owner wants meanwhile. */
-void DriftTracker::Work::publish (const TrackingStatus& now, std::shared_ptr<const KnownDrift> known)
+void DriftFollower::Work::publish (const FollowingStatus& now, std::shared_ptr<const KnownDrift> known)
 {
-    auto made = std::make_shared<const TrackingStatus> (now);
+    auto made = std::make_shared<const FollowingStatus> (now);
     const std::lock_guard lock (mutex);
     status = std::move (made);
 
@@ -103,15 +103,15 @@ void DriftTracker::Work::publish (const TrackingStatus& now, std::shared_ptr<con
 }
 
 /** The work of the thread. */
-class DriftTracker::Follower
+class DriftFollower::Follower
 {
 public:
     explicit Follower (Work& shared)
-        : work (shared), rate (shared.setup.tap->sampleRate()), nominal (trackedModes (*shared.setup.model, rate)),
+        : work (shared), rate (shared.setup.tap->sampleRate()), nominal (followedModes (*shared.setup.model, rate)),
           sensor (sensorOf (shared.setup.settings, nominal)), layout (driftLayout (nominal, 1)),
-          settings (settingsFor (nominal)), recent (*shared.setup.tap, trackedLength (settings)),
-          tracked (startOfTracking (layout, settings.spread)),
-          step (static_cast<Eigen::Index> (std::ceil (trackedWindow * rate)))
+          settings (settingsFor (nominal)), recent (*shared.setup.tap, followedLength (settings)),
+          sensed (startOfFollowing (layout, settings.spread)),
+          step (static_cast<Eigen::Index> (std::ceil (followedWindow * rate)))
     {
         present.trace = shared.setup.trace;
         time = present.trace.empty() ? 0 : present.trace.back().time;
@@ -127,14 +127,14 @@ public:
                 goOnFrom (wish.drift);
 
             if (wish.isFrozen)
-                say (TrackingState::frozen, {});
+                say (FollowingState::frozen, {});
             else if (! wish.hindrance.empty())
                 pause (wish.hindrance);
             else if (recent.isFull() && passed >= step)
-                followWindow();
-            else if (present.state == TrackingState::off || present.state == TrackingState::frozen
-                     || present.state == TrackingState::paused)
-                say (TrackingState::waiting, {});
+                followRecent();
+            else if (present.state == FollowingState::off || present.state == FollowingState::frozen
+                     || present.state == FollowingState::paused)
+                say (FollowingState::waiting, {});
         }
     }
 
@@ -142,7 +142,7 @@ private:
     static DriftSettings settingsFor (const ModalModel& model)
     {
         DriftSettings chosen;
-        chosen.memory = trackingMemory (model);
+        chosen.memory = followingMemory (model);
         return chosen;
     }
 
@@ -150,12 +150,12 @@ private:
     void goOnFrom (const std::shared_ptr<const KnownDrift>& known)
     {
         const auto fits = known != nullptr && known->layout.size() == layout.size() && known->isOf (nominal);
-        tracked = fits ? known->tracked : startOfTracking (layout, settings.spread);
-        tracked.scale = 0; // An audio device that was opened again has another delay.
+        sensed = fits ? known->sensed : startOfFollowing (layout, settings.spread);
+        sensed.scale = 0; // An audio device that was opened again has another delay.
         recent.forget();
     }
 
-    void say (TrackingState state, std::string reason)
+    void say (FollowingState state, std::string reason)
     {
         if (state == present.state && reason == present.reason)
             return;
@@ -169,31 +169,31 @@ private:
     void pause (const std::string& reason)
     {
         recent.forget();
-        say (TrackingState::paused, reason);
+        say (FollowingState::paused, reason);
     }
 
-    void followWindow()
+    void followRecent()
     {
         const auto elapsed = static_cast<double> (std::exchange (passed, 0)) / rate;
         const auto begin = std::chrono::steady_clock::now();
-        const auto wasFound = tracked.scale != 0; // Else it is no jump, but where the device was all the time.
-        auto before = tracked;
+        const auto wasFound = sensed.scale != 0; // Else it is no jump, but where the device was all the time.
+        auto before = sensed;
         before.estimate = afterTime (std::move (before.estimate), layout, settings.spread, elapsed);
         auto window =
-            trackWindow (nominal, sensor, before, { rate, recent.voltages(), recent.sensor(), {}, 0 }, settings);
-        tracked = std::move (window.drift);
+            followWindow (nominal, sensor, before, { rate, recent.voltages(), recent.sensor(), {}, 0 }, settings);
+        sensed = std::move (window.drift);
         time += elapsed;
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
         present.longestWindow = std::max (present.longestWindow, took.count());
         note (window.followed, wasFound);
         work.publish (present,
-                      std::make_shared<const KnownDrift> (KnownDrift { nominal.angularFrequencies, layout, tracked }));
+                      std::make_shared<const KnownDrift> (KnownDrift { nominal.angularFrequencies, layout, sensed }));
     }
 
     void note (const FollowedDrift& followed, bool wasFound)
     {
         const auto moment = momentOf (followed, layout, time);
-        present.state = stateOf (followed.state, tracked);
+        present.state = stateOf (followed.state, sensed);
         present.reason = followed.reason;
 
         if (followed.jump != 0 && wasFound)
@@ -202,7 +202,7 @@ private:
 
         present.changes = moment.frequencies;
         present.deviations = moment.deviations;
-        present.delay = tracked.delay;
+        present.delay = sensed.delay;
         const auto weights = moment.deviations.array().max (1e-12).square().inverse();
         present.trace.push_back (
             { time, present.state, moment.common, std::sqrt (1 / weights.sum()), moment.unexplained });
@@ -214,18 +214,18 @@ private:
     Work& work;
     double rate;
     ModalModel nominal;
-    TrackedSensor sensor;
+    DriftSensor sensor;
     DriftLayout layout;
     DriftSettings settings;
     RecentFrames recent;
-    TrackedDrift tracked;
-    TrackingStatus present;
+    SensedDrift sensed;
+    FollowingStatus present;
     Eigen::Index step, passed = 0; // frames of a window, and since the last one
     double time = 0;               // s
 };
 
-/** Until the owner leaves; what cannot be tracked is said. */
-void DriftTracker::follow (Work& work)
+/** Until the owner leaves; what cannot be followed is said. */
+void DriftFollower::follow (Work& work)
 {
     const auto mayGoOn = [&work]
     {
@@ -244,38 +244,38 @@ void DriftTracker::follow (Work& work)
     }
     catch (const std::exception& failure)
     {
-        TrackingStatus status;
-        status.state = TrackingState::impossible;
+        FollowingStatus status;
+        status.state = FollowingState::impossible;
         status.reason = failure.what();
         work.publish (status, nullptr);
     }
 }
 
-DriftTracker::DriftTracker (Setup setup)
+DriftFollower::DriftFollower (Setup setup)
     : work (std::make_shared<Work> (std::move (setup))), thread ([kept = work] { follow (*kept); })
 {
 }
 
-DriftTracker::~DriftTracker()
+DriftFollower::~DriftFollower()
 {
     const std::lock_guard lock (work->mutex);
     work->isStopping = true;
     work->wake.notify_all();
 }
 
-void DriftTracker::setFrozen (bool shouldBeFrozen)
+void DriftFollower::setFrozen (bool shouldBeFrozen)
 {
     const std::lock_guard lock (work->mutex);
     work->isFrozen = shouldBeFrozen;
 }
 
-void DriftTracker::setHindrance (const std::string& reason)
+void DriftFollower::setHindrance (const std::string& reason)
 {
     const std::lock_guard lock (work->mutex);
     work->hindrance = reason;
 }
 
-void DriftTracker::setKnown (std::shared_ptr<const KnownDrift> known)
+void DriftFollower::setKnown (std::shared_ptr<const KnownDrift> known)
 {
     const std::lock_guard lock (work->mutex);
     work->drift = std::move (known);
@@ -283,13 +283,13 @@ void DriftTracker::setKnown (std::shared_ptr<const KnownDrift> known)
     work->wake.notify_all();
 }
 
-std::shared_ptr<const KnownDrift> DriftTracker::known() const
+std::shared_ptr<const KnownDrift> DriftFollower::known() const
 {
     const std::lock_guard lock (work->mutex);
     return work->drift;
 }
 
-std::shared_ptr<const TrackingStatus> DriftTracker::status() const
+std::shared_ptr<const FollowingStatus> DriftFollower::status() const
 {
     const std::lock_guard lock (work->mutex);
     return work->status;

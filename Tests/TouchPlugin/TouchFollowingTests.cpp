@@ -21,17 +21,17 @@ namespace
 {
 /** Antinode Touch on an aluminium plate that was identified and has drifted, with half as many modes again. A sensor
     hears it 3 ms late, with noise 40 dB below. */
-struct TrackedTouch
+struct FollowedTouch
 {
     static constexpr int block = 256, late = 144, windowSamples = 24576; // samples
 
-    explicit TrackedTouch (const TrackingSettings& settings, double drift)
+    explicit FollowedTouch (const FollowingSettings& settings, double drift)
         : processor (8, juce::AudioProcessor::wrapperType_Undefined)
     {
         processor.parameters().setValues (test::threeFingers());
         processor.setRateAndBufferSizeDetails (test::judgedRate, block);
         processor.prepareToPlay (test::judgedRate, block);
-        session().tracking().setSettings (settings);
+        session().following().setSettings (settings);
         session().waitUntilSettled();
         truth = detuned (test::judgeOf (processor), { 5e-4, 0.02, 1e-3, 0 }, 3);
         truth.angularFrequencies *= 1 + drift;
@@ -44,7 +44,7 @@ struct TrackedTouch
     }
 
     TouchSession& session() { return processor.session(); }
-    TrackingStatus status() { return *session().tracking().status(); }
+    FollowingStatus status() { return *session().following().status(); }
 
     /** Plays inputs, and gives back what the ceramics got. @param inputs  fingers x samples, whole blocks */
     Eigen::MatrixXd play (const Eigen::MatrixXd& inputs)
@@ -115,7 +115,7 @@ struct TrackedTouch
     void awaitWindow()
     {
         const auto seen = status().trace.size();
-        const auto isLearning = status().state != TrackingState::paused && status().state != TrackingState::frozen;
+        const auto isLearning = status().state != FollowingState::paused && status().state != FollowingState::frozen;
 
         for (int i = 0; i < 6000 && isLearning && status().trace.size() == seen; ++i)
             std::this_thread::sleep_for (std::chrono::milliseconds (10));
@@ -145,24 +145,24 @@ struct TrackedTouch
     std::int64_t clock = 0;
 };
 
-TrackingSettings velocityAt (double xMillimetres, double yMillimetres)
+FollowingSettings velocityAt (double xMillimetres, double yMillimetres)
 {
-    TrackingSettings settings;
-    settings.sensor = TrackingSensor::velocity;
+    FollowingSettings settings;
+    settings.sensor = FollowingSensor::velocity;
     settings.xMillimetres = xMillimetres;
     settings.yMillimetres = yMillimetres;
     return settings;
 }
 } // namespace
 
-TEST_CASE ("While fingers feel tracks, filters follow a device that is off its model", "[touch-plugin][tracking]")
+TEST_CASE ("While fingers feel tracks, filters follow a device that is off its model", "[touch-plugin][following]")
 {
-    TrackedTouch touch (velocityAt (180, 20), 0.004);
+    FollowedTouch touch (velocityAt (180, 20), 0.004);
     const auto before = touch.judged();
     touch.playNoise (5);
     const auto status = touch.status();
     INFO (status.reason);
-    CHECK (status.state == TrackingState::following);
+    CHECK (status.state == FollowingState::following);
     const auto after = touch.judged();
     CAPTURE (before.first, before.second, after.first, after.second, touch.status().redesigns);
     CHECK (after.first < before.first - 10);
@@ -170,13 +170,13 @@ TEST_CASE ("While fingers feel tracks, filters follow a device that is off its m
     CHECK (touch.status().redesigns > 0);
 }
 
-TEST_CASE ("A ceramic that listens in Antinode Touch is not driven", "[touch-plugin][tracking]")
+TEST_CASE ("A ceramic that listens in Antinode Touch is not driven", "[touch-plugin][following]")
 {
-    TrackingSettings settings;
-    settings.sensor = TrackingSensor::ceramicCharge;
+    FollowingSettings settings;
+    settings.sensor = FollowingSensor::ceramicCharge;
     settings.ceramic = 3;
-    TrackedTouch touch (settings, 0.002);
-    Eigen::MatrixXd inputs = Eigen::MatrixXd::Zero (8, 60 * TrackedTouch::block);
+    FollowedTouch touch (settings, 0.002);
+    Eigen::MatrixXd inputs = Eigen::MatrixXd::Zero (8, 60 * FollowedTouch::block);
     inputs.topRows (2) = test::fingerTones (2, static_cast<int> (inputs.cols()), test::judgedRate);
     const auto played = touch.play (inputs);
     CHECK (played.row (3).cwiseAbs().maxCoeff() == 0);
@@ -184,27 +184,27 @@ TEST_CASE ("A ceramic that listens in Antinode Touch is not driven", "[touch-plu
     CHECK ((played.cwiseAbs().rowwise().maxCoeff().array() > 0).count() == 7);
 }
 
-TEST_CASE ("Fingers that load the surface pause what is learnt of it", "[touch-plugin][tracking]")
+TEST_CASE ("Fingers that load the surface pause what is learnt of it", "[touch-plugin][following]")
 {
-    TrackedTouch touch (velocityAt (180, 20), 0.002);
+    FollowedTouch touch (velocityAt (180, 20), 0.002);
     touch.playNoise (3);
-    REQUIRE (touch.session().tracking().drift() != nullptr);
+    REQUIRE (touch.session().following().drift() != nullptr);
     touch.processor.parameters().setValues ({ { "finger1_load", 2 } });
     touch.session().waitUntilSettled();
     touch.playNoise (0.2);
     const auto moments = touch.status().trace.size();
-    const auto known = touch.session().tracking().drift();
+    const auto known = touch.session().following().drift();
     touch.playNoise (1.5);
-    CHECK (touch.status().state == TrackingState::paused);
+    CHECK (touch.status().state == FollowingState::paused);
     CHECK (touch.status().reason == "Fingers load the surface and change its modes.");
     CHECK (touch.status().trace.size() == moments);
-    CHECK (touch.session().tracking().drift() == known);
+    CHECK (touch.session().following().drift() == known);
 }
 
-TEST_CASE ("A sensor that is broken never reaches the ceramics of Antinode Touch", "[touch-plugin][tracking]")
+TEST_CASE ("A sensor that is broken never reaches the ceramics of Antinode Touch", "[touch-plugin][following]")
 {
-    TrackedTouch touch (velocityAt (180, 20), 0);
-    Eigen::MatrixXd inputs = Eigen::MatrixXd::Zero (8, 60 * TrackedTouch::block);
+    FollowedTouch touch (velocityAt (180, 20), 0);
+    Eigen::MatrixXd inputs = Eigen::MatrixXd::Zero (8, 60 * FollowedTouch::block);
     inputs.topRows (2) = test::fingerTones (2, static_cast<int> (inputs.cols()), test::judgedRate);
 
     for (const auto broken : { std::numeric_limits<double>::quiet_NaN(), 1.0, 0.0 })
@@ -216,16 +216,16 @@ TEST_CASE ("A sensor that is broken never reaches the ceramics of Antinode Touch
     }
 }
 
-TEST_CASE ("A state of Antinode Touch keeps its sensor", "[touch-plugin][tracking]")
+TEST_CASE ("A state of Antinode Touch keeps its sensor", "[touch-plugin][following]")
 {
     const auto processor = test::offlineTouch (8, test::judgedRate, 256);
     auto settings = velocityAt (12.5, 7.25);
     settings.isFrozen = true;
-    processor->session().tracking().setSettings (settings);
+    processor->session().following().setSettings (settings);
     juce::MemoryBlock state;
     processor->getStateInformation (state);
     const auto other = test::offlineTouch (8, test::judgedRate, 256);
-    CHECK_FALSE (other->session().tracking().settings().isOn());
+    CHECK_FALSE (other->session().following().settings().isOn());
     other->setStateInformation (state.getData(), static_cast<int> (state.getSize()));
-    CHECK (other->session().tracking().settings() == settings);
+    CHECK (other->session().following().settings() == settings);
 }

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-// What of a touch session follows the device and the fingers that rest: its tracker, its designer and its foci.
+// What of a touch session follows the device and the fingers that rest: its follower, its designer and its foci.
 namespace antinode
 {
 namespace
@@ -15,19 +15,19 @@ constexpr auto focusRest = std::chrono::milliseconds (500); // for which fingers
 } // namespace
 
 /** Fingers that load the surface make other modes of it. */
-void TouchWorker::takeTracking()
+void TouchWorker::takeFollowing()
 {
-    tracked.take (present.model.get());
+    deviceFollowing.take (present.model.get());
 
-    if (present.model != nullptr && trackingRequests->settings().isOn())
+    if (present.model != nullptr && followingRequests->settings().isOn())
     {
         const auto focus = foci.focus();
         const auto loads = restingFingers (touchedBy (present.model->surface, settings, format.inputs));
         const auto areLoads = ! loads.empty() || (focus != nullptr && ! focus->description.fingers.empty());
-        tracked.setHindrance (areLoads ? "Fingers load the surface and change its modes." : "");
+        deviceFollowing.setHindrance (areLoads ? "Fingers load the surface and change its modes." : "");
     }
 
-    tracked.read (present.model.get());
+    deviceFollowing.read (present.model.get());
 }
 
 /** New filters for a device that has drifted, while fingers rest: what plays is better for those that move. */
@@ -35,7 +35,7 @@ void TouchWorker::takeDrift()
 {
     const auto areMade = designedFor == settings && designer->design (settings.latency) != nullptr;
 
-    if (! tracked.needsDesigns (areMade) || movement.isAnyMoving (FingerMovement::Clock::now()))
+    if (! deviceFollowing.needsDesigns (areMade) || movement.isAnyMoving (FingerMovement::Clock::now()))
         return;
 
     makeDesigner();
@@ -45,8 +45,9 @@ void TouchWorker::takeDrift()
 
 void TouchWorker::makeDesigner()
 {
-    designer = std::make_unique<TouchDesigner> (tracked.driven (present.model), format.sampleRate, format.inputs);
-    tracked.noteDesigned();
+    designer =
+        std::make_unique<TouchDesigner> (deviceFollowing.driven (present.model), format.sampleRate, format.inputs);
+    deviceFollowing.noteDesigned();
 }
 
 /** Notes that somebody waits for are designed for the fingers as they are, others where fingers rest. */
@@ -63,8 +64,8 @@ void TouchWorker::serveFoci()
                                 amplifiers,
                                 restingFingers (touchedBy (present.model->surface, places, format.inputs)),
                                 areNotesAwaited || movement.restedFor (FingerMovement::Clock::now()) >= focusRest,
-                                tracked.device (present.model.get()),
-                                tracked.shift() };
+                                deviceFollowing.device (present.model.get()),
+                                deviceFollowing.shift() };
     foci.serve (*path, surface, std::exchange (isPathNew, false),
                 [this, areNotesAwaited] { return areNotesAwaited || owner->settings (settings) == settings; });
 }

@@ -1,4 +1,4 @@
-#include "TrackingWords.h"
+#include "FollowingWords.h"
 
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
@@ -7,7 +7,7 @@ namespace antinode
 {
 namespace
 {
-std::string driftOf (const TrackingStatus& status)
+std::string driftOf (const FollowingStatus& status)
 {
     if (status.trace.empty())
         return "nothing was heard yet";
@@ -22,25 +22,25 @@ std::string withReason (const std::string& sentence, const std::string& reason)
 }
 } // namespace
 
-std::string trackingSentence (const TrackingStatus& status)
+std::string followingSentence (const FollowingStatus& status)
 {
     switch (status.state)
     {
-        case TrackingState::off:
+        case FollowingState::off:
             return "No sensor is chosen.";
-        case TrackingState::waiting:
+        case FollowingState::waiting:
             return "Waiting: play something that the sensor hears.";
-        case TrackingState::silent:
+        case FollowingState::silent:
             return "Silent: too little is played; last " + driftOf (status) + ".";
-        case TrackingState::lost:
+        case FollowingState::lost:
             return withReason ("Lost:", status.reason);
-        case TrackingState::frozen:
+        case FollowingState::frozen:
             return "Frozen: " + driftOf (status) + ".";
-        case TrackingState::paused:
+        case FollowingState::paused:
             return withReason ("Paused: " + driftOf (status) + ".", status.reason);
-        case TrackingState::impossible:
+        case FollowingState::impossible:
             return withReason ("Not possible:", status.reason);
-        case TrackingState::following:
+        case FollowingState::following:
             break;
     }
 
@@ -49,10 +49,10 @@ std::string trackingSentence (const TrackingStatus& status)
                        status.reason);
 }
 
-UserMessage trackingMessage (const TrackingStatus& status)
+UserMessage followingMessage (const FollowingStatus& status)
 {
-    const auto fails = status.state == TrackingState::lost || status.state == TrackingState::impossible;
-    return fails ? UserMessage { Urgency::caution, "Tracking of the drift: " + trackingSentence (status) }
+    const auto fails = status.state == FollowingState::lost || status.state == FollowingState::impossible;
+    return fails ? UserMessage { Urgency::caution, "Following of the drift: " + followingSentence (status) }
                  : UserMessage {};
 }
 } // namespace antinode

@@ -21,7 +21,7 @@ using namespace antinode;
 
 namespace
 {
-constexpr double trackedRate = 48000;
+constexpr double followedRate = 48000;
 constexpr int listening = 7; // the last of eight ceramics
 
 /** The demonstrator's staple, off its model, while it is played: an idle ceramic's current comes back 3 ms later. */
@@ -40,7 +40,7 @@ struct DriftingStaple
         const Eigen::MatrixXd heard = truth.participation.col (listening).transpose();
         // What moves already rings out at its frequencies.
         ringing = std::exchange (
-            plate, std::make_unique<PlateModel> (truth, Playback { Reconstruction::bandLimited, trackedRate }, heard));
+            plate, std::make_unique<PlateModel> (truth, Playback { Reconstruction::bandLimited, followedRate }, heard));
     }
 
     /** One block. @param volts  8 x N */
@@ -63,17 +63,17 @@ struct DriftingStaple
 };
 
 /** A session, the device and the cable between them. */
-struct TrackedPlay
+struct FollowedPlay
 {
     static constexpr int block = 256, late = 144, windowSamples = 24576; // samples
 
-    explicit TrackedPlay (double drift, double scatter = 5e-4) : device (drift, scatter)
+    explicit FollowedPlay (double drift, double scatter = 5e-4) : device (drift, scatter)
     {
-        played.prepare (trackedRate);
-        TrackingSettings tracking;
-        tracking.sensor = TrackingSensor::ceramicCurrent;
-        tracking.ceramic = listening;
-        played.session.tracking().setSettings (tracking);
+        played.prepare (followedRate);
+        FollowingSettings following;
+        following.sensor = FollowingSensor::ceramicCurrent;
+        following.ceramic = listening;
+        played.session.following().setSettings (following);
         played.session.waitUntilSettled (std::array { note });
     }
 
@@ -81,7 +81,7 @@ struct TrackedPlay
         @param spoil  what becomes of the sensor's block */
     void play (double seconds, const std::function<void (Eigen::RowVectorXd&)>& spoil = {})
     {
-        for (int done = 0; done < static_cast<int> (seconds * trackedRate); done += block)
+        for (int done = 0; done < static_cast<int> (seconds * followedRate); done += block)
         {
             if (clock % 9600 < block)
                 events = { note };
@@ -102,11 +102,11 @@ struct TrackedPlay
         const auto isLearning = [this]
         {
             const auto state = status().state;
-            return state != TrackingState::frozen && state != TrackingState::impossible
-                   && state != TrackingState::paused;
+            return state != FollowingState::frozen && state != FollowingState::impossible
+                   && state != FollowingState::paused;
         };
         const auto newest = [this] { return status().trace.empty() ? 0.0 : status().trace.back().time; };
-        const auto isDue = newest() > 0 || static_cast<double> (clock) > 2 * trackedRate;
+        const auto isDue = newest() > 0 || static_cast<double> (clock) > 2 * followedRate;
 
         for (auto waited = glance; isDue && waited < hung && isLearning() && newest() == seen; waited += glance)
             std::this_thread::sleep_for (glance);
@@ -142,10 +142,10 @@ struct TrackedPlay
         cable = next;
     }
 
-    TrackingStatus status() const { return *played.session.tracking().status(); }
+    FollowingStatus status() const { return *played.session.following().status(); }
 
     /** Waits for what windows that were played say. */
-    bool becomes (TrackingState state)
+    bool becomes (FollowingState state)
     {
         for (int i = 0; i < 60; ++i)
         {
@@ -173,10 +173,10 @@ struct TrackedPlay
 };
 } // namespace
 
-TEST_CASE ("While foci play, the drift is found and followed, and foci are designed for it", "[session][tracking]")
+TEST_CASE ("While foci play, the drift is found and followed, and foci are designed for it", "[session][following]")
 {
-    TrackedPlay play (0.004);
-    REQUIRE (play.becomes (TrackingState::following));
+    FollowedPlay play (0.004);
+    REQUIRE (play.becomes (FollowingState::following));
     play.play (3);
     const auto status = play.status();
     INFO (status.reason);
@@ -193,7 +193,7 @@ TEST_CASE ("While foci play, the drift is found and followed, and foci are desig
         }
 
     CHECK (known > 5);
-    CHECK (status.delay == Approx ((TrackedPlay::late + TrackedPlay::block) / trackedRate).margin (0.003));
+    CHECK (status.delay == Approx ((FollowedPlay::late + FollowedPlay::block) / followedRate).margin (0.003));
     CHECK (status.redesigns > 0);
 
     // An idle ceramic is not driven.
@@ -203,34 +203,34 @@ TEST_CASE ("While foci play, the drift is found and followed, and foci are desig
 }
 
 TEST_CASE ("Frozen, nothing is learnt, and reset, the model counts again until a drift is given back",
-           "[session][tracking]")
+           "[session][following]")
 {
-    TrackedPlay play (0.004);
+    FollowedPlay play (0.004);
     auto& session = play.played.session;
-    REQUIRE (play.becomes (TrackingState::following));
-    auto settings = session.tracking().settings();
+    REQUIRE (play.becomes (FollowingState::following));
+    auto settings = session.following().settings();
     settings.isFrozen = true;
-    session.tracking().setSettings (settings);
-    REQUIRE (play.becomes (TrackingState::frozen));
-    const auto known = session.tracking().drift();
+    session.following().setSettings (settings);
+    REQUIRE (play.becomes (FollowingState::frozen));
+    const auto known = session.following().drift();
     REQUIRE (known != nullptr);
     const auto moments = play.status().trace.size();
     play.device.move (0.01);
     play.play (2);
     CHECK (play.status().trace.size() == moments);
-    CHECK (session.tracking().drift() == known);
-    session.tracking().setDrift (nullptr);
+    CHECK (session.following().drift() == known);
+    session.following().setDrift (nullptr);
     play.play (0.5);
-    CHECK (session.tracking().drift() == nullptr);
-    session.tracking().setDrift (known);
+    CHECK (session.following().drift() == nullptr);
+    session.following().setDrift (known);
     play.play (0.5);
-    CHECK (session.tracking().drift() == known);
+    CHECK (session.following().drift() == known);
 }
 
-TEST_CASE ("A jump of one percent is recovered or declared", "[session][tracking]")
+TEST_CASE ("A jump of one percent is recovered or declared", "[session][following]")
 {
-    TrackedPlay play (0.001);
-    REQUIRE (play.becomes (TrackingState::following));
+    FollowedPlay play (0.001);
+    REQUIRE (play.becomes (FollowingState::following));
     play.play (2);
     play.device.move (0.01);
     const auto before = play.status().trace.size();
@@ -238,7 +238,7 @@ TEST_CASE ("A jump of one percent is recovered or declared", "[session][tracking
     const auto isRecovered = [&play]
     {
         const auto newest = play.status();
-        return newest.state == TrackingState::following && std::abs (newest.trace.back().common - 0.011) < 1e-3;
+        return newest.state == FollowingState::following && std::abs (newest.trace.back().common - 0.011) < 1e-3;
     };
     play.play (4);
 
@@ -248,15 +248,15 @@ TEST_CASE ("A jump of one percent is recovered or declared", "[session][tracking
     const auto status = play.status();
     INFO (status.reason);
     REQUIRE (status.trace.size() > before);
-    CHECK (status.state == TrackingState::following);
+    CHECK (status.state == FollowingState::following);
     CHECK (status.trace.back().common == Approx (0.011).margin (1e-3));
 }
 
 TEST_CASE ("Whatever the sensor says, outputs stay finite and within the limits, and the reason is said",
-           "[session][tracking]")
+           "[session][following]")
 {
-    TrackedPlay play (0.002);
-    REQUIRE (play.becomes (TrackingState::following));
+    FollowedPlay play (0.002);
+    REQUIRE (play.becomes (FollowingState::following));
     const auto spoil = GENERATE (0, 1, 2, 3, 4);
     RandomNumbers random (9);
     const auto spoiled = [&] (Eigen::RowVectorXd& sensor)
@@ -280,24 +280,24 @@ TEST_CASE ("Whatever the sensor says, outputs stay finite and within the limits,
         }
     };
     play.play (1.5, spoiled); // Windows from before are still on their way.
-    const auto known = play.played.session.tracking().drift();
+    const auto known = play.played.session.following().drift();
     play.play (2, spoiled);
     const auto status = play.status();
-    CHECK (status.state == TrackingState::lost);
+    CHECK (status.state == FollowingState::lost);
     CHECK_FALSE (status.reason.empty());
     CHECK (play.isFinite);
     CHECK ((play.largest.array() <= voltageLimits (play.device.nominal).array()).all());
-    CHECK ((play.played.session.tracking().drift()->tracked.estimate.values == known->tracked.estimate.values));
+    CHECK ((play.played.session.following().drift()->sensed.estimate.values == known->sensed.estimate.values));
 }
 
-// By hand, two minutes: Docs/Decisions/0153-tracking-in-the-session.md.
-TEST_CASE ("A drift of one percent an hour while foci play", "[.tracking-drift]")
+// By hand, two minutes: Docs/Decisions/0153-following-in-the-session.md.
+TEST_CASE ("A drift of one percent an hour while foci play", "[.following-drift]")
 {
     constexpr double perSecond = 0.01 / 3600, step = 3; // s
-    TrackedPlay play (0.001, 0.001);
+    FollowedPlay play (0.001, 0.001);
     play.play (1);
-    play.device.noise = 0.01 * std::sqrt (play.energy / trackedRate); // 40 dB, from now on
-    REQUIRE (play.becomes (TrackingState::following));
+    play.device.noise = 0.01 * std::sqrt (play.energy / followedRate); // 40 dB, from now on
+    REQUIRE (play.becomes (FollowingState::following));
     std::vector<double> errors;
 
     for (int i = 0; i < 60; ++i)
@@ -329,23 +329,23 @@ TEST_CASE ("A drift of one percent an hour while foci play", "[.tracking-drift]"
     CHECK (errors[errors.size() / 2] < 5e-5);
 }
 
-TEST_CASE ("What cannot be tracked is said in a sentence", "[session][tracking]")
+TEST_CASE ("What cannot be followed is said in a sentence", "[session][following]")
 {
     test::PlayedSession played;
-    played.prepare (trackedRate);
-    TrackingSettings tracking;
-    tracking.sensor = TrackingSensor::ceramicCurrent;
-    tracking.ceramic = 8;
-    played.session.tracking().setSettings (tracking);
+    played.prepare (followedRate);
+    FollowingSettings following;
+    following.sensor = FollowingSensor::ceramicCurrent;
+    following.ceramic = 8;
+    played.session.following().setSettings (following);
 
-    while (played.session.tracking().status()->state != TrackingState::impossible)
+    while (played.session.following().status()->state != FollowingState::impossible)
         std::this_thread::sleep_for (std::chrono::milliseconds (5));
 
-    CHECK (played.session.tracking().status()->reason == "tracking: ceramic 9 is not on the device; allowed: 1 to 8");
-    played.session.tracking().setSettings ({});
+    CHECK (played.session.following().status()->reason == "following: ceramic 9 is not on the device; allowed: 1 to 8");
+    played.session.following().setSettings ({});
 
-    while (played.session.tracking().status()->state != TrackingState::off)
+    while (played.session.following().status()->state != FollowingState::off)
         std::this_thread::sleep_for (std::chrono::milliseconds (5));
 
-    CHECK (played.session.tracking().status()->state == TrackingState::off);
+    CHECK (played.session.following().status()->state == FollowingState::off);
 }

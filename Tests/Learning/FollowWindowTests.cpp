@@ -1,6 +1,6 @@
 #include "DriftingBeam.h"
 
-#include <antinode_learning/TrackWindow.h>
+#include <antinode_learning/FollowWindow.h>
 #include <antinode_numerics/RandomNumbers.h>
 
 #include <catch2/catch.hpp>
@@ -18,7 +18,7 @@ namespace
 {
 constexpr double length = 1.3; // s, of a window with what was played before it
 
-TrackedSensor idleCeramic (const DriftingBeam& beam, SensorQuantity quantity = SensorQuantity::rate)
+DriftSensor idleCeramic (const DriftingBeam& beam, SensorQuantity quantity = SensorQuantity::rate)
 {
     return { beam.nominal.participation.col (idle).transpose(), quantity, true };
 }
@@ -76,7 +76,7 @@ void checkFollowed (const DriftingBeam& beam, const DriftEstimate& estimate)
 }
 
 /** Several windows, each of its own noise. */
-TrackedDrift tracked (DriftingBeam& beam, TrackedDrift drift, int windows, Eigen::Index late, double scale,
+SensedDrift followed (DriftingBeam& beam, SensedDrift drift, int windows, Eigen::Index late, double scale,
                       SensorQuantity quantity = SensorQuantity::rate)
 {
     const auto settings = usual();
@@ -86,8 +86,8 @@ TrackedDrift tracked (DriftingBeam& beam, TrackedDrift drift, int windows, Eigen
         beam.seed += 1;
         const auto recording =
             throughInterface (beam.recordAll (length, 20, quantity == SensorQuantity::amount), late, scale);
-        auto window = trackWindow (trackedModes (beam.nominal, driftRate), idleCeramic (beam, quantity), drift,
-                                   recording, settings);
+        auto window = followWindow (followedModes (beam.nominal, driftRate), idleCeramic (beam, quantity), drift,
+                                    recording, settings);
         INFO (window.followed.reason);
         REQUIRE (window.followed.state == DriftState::following);
         drift = std::move (window.drift);
@@ -96,19 +96,19 @@ TrackedDrift tracked (DriftingBeam& beam, TrackedDrift drift, int windows, Eigen
     return drift;
 }
 
-TrackedDrift nothingKnown (const DriftingBeam& beam)
+SensedDrift nothingKnown (const DriftingBeam& beam)
 {
-    return startOfTracking (driftLayout (beam.nominal, 1), usual().spread);
+    return startOfFollowing (driftLayout (beam.nominal, 1), usual().spread);
 }
 /** The delay is found in a window of what is heard 10 ms after it is played, of which nothing is known before. */
-TrackedWindow checkFound (const DriftingBeam& beam, const Eigen::MatrixXd& voltages)
+FollowedWindow checkFound (const DriftingBeam& beam, const Eigen::MatrixXd& voltages)
 {
     constexpr Eigen::Index late = 241; // samples
     auto recording = beam.hear (voltages);
     const auto level = recording.signals.cwiseAbs().maxCoeff();
     recording = throughInterface (std::move (recording), late, 0.2 / level);
-    auto window = trackWindow (trackedModes (beam.nominal, driftRate), idleCeramic (beam), nothingKnown (beam),
-                               recording, usual());
+    auto window = followWindow (followedModes (beam.nominal, driftRate), idleCeramic (beam), nothingKnown (beam),
+                                recording, usual());
     INFO (window.followed.reason);
     REQUIRE (window.followed.state == DriftState::following);
     CHECK (window.drift.delay == Approx (static_cast<double> (late) / driftRate).margin (2e-5));
@@ -117,20 +117,20 @@ TrackedWindow checkFound (const DriftingBeam& beam, const Eigen::MatrixXd& volta
 } // namespace
 
 TEST_CASE ("A sensor of unknown delay, scale and sign is found, and the drift followed to 50 ppm",
-           "[learning][tracking]")
+           "[learning][following]")
 {
     const auto scale = GENERATE (-3.0, 0.2);
     DriftingBeam beam (0.004, 0.001);
     const Eigen::Index late = 241; // 10 ms
     const auto level = beam.recordAll (0.2).signals.cwiseAbs().maxCoeff();
-    const auto drift = tracked (beam, nothingKnown (beam), 3, late, scale / (20 * level));
+    const auto drift = followed (beam, nothingKnown (beam), 3, late, scale / (20 * level));
     CHECK (drift.delay == Approx (static_cast<double> (late) / driftRate).margin (2e-6));
     CHECK (drift.scale * 20 * level == Approx (scale).epsilon (0.1));
     checkFollowed (beam, drift.estimate);
     CHECK (drift.estimate.deviation (2) < 3e-5);
 }
 
-TEST_CASE ("What is played again and again is not taken for a delay of its period", "[learning][tracking]")
+TEST_CASE ("What is played again and again is not taken for a delay of its period", "[learning][following]")
 {
     constexpr Eigen::Index period = 4800; // samples: .2 s
     DriftingBeam beam (0.004, 0.001);
@@ -146,7 +146,8 @@ TEST_CASE ("What is played again and again is not taken for a delay of its perio
 }
 
 // One mode alone looks almost the same a part of its period later, on a device with another drift.
-TEST_CASE ("Where foci ring in one mode, the delay is not taken for another part of its period", "[learning][tracking]")
+TEST_CASE ("Where foci ring in one mode, the delay is not taken for another part of its period",
+           "[learning][following]")
 {
     constexpr double period = 0.2, centre = 0.05; // s
     const auto [drift, mode] = GENERATE (std::pair (-0.006, 4), std::pair (-0.002, 3), std::pair (0.002, 5));
@@ -164,29 +165,29 @@ TEST_CASE ("Where foci ring in one mode, the delay is not taken for another part
     CHECK (checkFound (beam, voltages).followed.unexplained < 0.01);
 }
 
-TEST_CASE ("The charge of an idle ceramic tells what its current tells", "[learning][tracking]")
+TEST_CASE ("The charge of an idle ceramic tells what its current tells", "[learning][following]")
 {
     DriftingBeam beam (0.004, 0.001);
     const auto level = beam.recordAll (0.2, 20, true).signals.cwiseAbs().maxCoeff();
-    const auto drift = tracked (beam, nothingKnown (beam), 3, 100, 0.2 / level, SensorQuantity::amount);
+    const auto drift = followed (beam, nothingKnown (beam), 3, 100, 0.2 / level, SensorQuantity::amount);
     checkFollowed (beam, drift.estimate);
     CHECK (drift.estimate.deviation (2) < 3e-5);
 }
 
-TEST_CASE ("A drift of one percent an hour is followed to 50 ppm, window by window", "[learning][tracking]")
+TEST_CASE ("A drift of one percent an hour is followed to 50 ppm, window by window", "[learning][following]")
 {
     constexpr double perSecond = 0.01 / 3600, pause = 30;
     DriftingBeam beam (0, 0.001);
     const auto settings = usual();
     const auto layout = driftLayout (beam.nominal, 1);
     const auto level = beam.recordAll (0.2).signals.cwiseAbs().maxCoeff();
-    auto drift = tracked (beam, nothingKnown (beam), 1, 60, 0.2 / level);
+    auto drift = followed (beam, nothingKnown (beam), 1, 60, 0.2 / level);
 
     for (int i = 0; i < 6; ++i)
     {
         beam.truth.angularFrequencies *= 1 + perSecond * pause;
         drift.estimate = afterTime (std::move (drift.estimate), layout, settings.spread, pause);
-        drift = tracked (beam, std::move (drift), 1, 60, 0.2 / level);
+        drift = followed (beam, std::move (drift), 1, 60, 0.2 / level);
         checkFollowed (beam, drift.estimate);
     }
 
@@ -196,28 +197,28 @@ TEST_CASE ("A drift of one percent an hour is followed to 50 ppm, window by wind
            < 1e-3);
 }
 
-TEST_CASE ("A jump of one percent is followed from the first whole window on", "[learning][tracking]")
+TEST_CASE ("A jump of one percent is followed from the first whole window on", "[learning][following]")
 {
     DriftingBeam beam (0, 0.0005);
     const auto level = beam.recordAll (0.2).signals.cwiseAbs().maxCoeff();
-    auto drift = tracked (beam, nothingKnown (beam), 2, 60, 0.2 / level);
+    auto drift = followed (beam, nothingKnown (beam), 2, 60, 0.2 / level);
     beam.truth.angularFrequencies *= 1.01;
-    drift = tracked (beam, std::move (drift), 2, 60, 0.2 / level);
+    drift = followed (beam, std::move (drift), 2, 60, 0.2 / level);
     checkFollowed (beam, drift.estimate);
     CHECK (drift.estimate.values[2] == Approx (std::log (1.01)).margin (2e-3));
 }
 
-TEST_CASE ("Where the delay changes, the sensor is found again", "[learning][tracking]")
+TEST_CASE ("Where the delay changes, the sensor is found again", "[learning][following]")
 {
     DriftingBeam beam (0.001, 0.0005);
     const auto level = beam.recordAll (0.2).signals.cwiseAbs().maxCoeff();
-    auto drift = tracked (beam, nothingKnown (beam), 1, 60, 0.2 / level);
+    auto drift = followed (beam, nothingKnown (beam), 1, 60, 0.2 / level);
     const auto later = throughInterface (beam.recordAll (length), 200, 0.2 / level);
     int lost = 0;
 
     for (; lost < 6; ++lost)
     {
-        auto window = trackWindow (trackedModes (beam.nominal, driftRate), idleCeramic (beam), drift, later, usual());
+        auto window = followWindow (followedModes (beam.nominal, driftRate), idleCeramic (beam), drift, later, usual());
         drift = std::move (window.drift);
 
         if (window.followed.state == DriftState::following)
@@ -232,11 +233,11 @@ TEST_CASE ("Where the delay changes, the sensor is found again", "[learning][tra
 }
 
 TEST_CASE ("Sensors that are unplugged, clipped, noisy, not finite or others teach nothing, and are said",
-           "[learning][tracking]")
+           "[learning][following]")
 {
     DriftingBeam beam (0.002, 0.0005);
     const auto level = beam.recordAll (0.2).signals.cwiseAbs().maxCoeff();
-    const auto known = tracked (beam, nothingKnown (beam), 1, 60, 0.2 / level);
+    const auto known = followed (beam, nothingKnown (beam), 1, 60, 0.2 / level);
     const auto recording = throughInterface (beam.recordAll (length), 60, 0.2 / level);
     RandomNumbers random (5);
     const auto reasonOf = [&] (const std::function<void (Eigen::MatrixXd&)>& spoil)
@@ -250,7 +251,7 @@ TEST_CASE ("Sensors that are unplugged, clipped, noisy, not finite or others tea
         for (int i = 0; i < 5; ++i)
         {
             const auto window =
-                trackWindow (trackedModes (beam.nominal, driftRate), idleCeramic (beam), drift, broken, usual());
+                followWindow (followedModes (beam.nominal, driftRate), idleCeramic (beam), drift, broken, usual());
             CHECK (window.followed.state == DriftState::lost);
             CHECK ((window.drift.estimate.values == known.estimate.values));
             CHECK (window.drift.scale == known.scale);

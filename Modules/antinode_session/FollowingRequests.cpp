@@ -1,41 +1,41 @@
-#include "TrackingRequests.h"
+#include "FollowingRequests.h"
 
 #include <utility>
 
 namespace antinode
 {
-void TrackingRequests::setSettings (const TrackingSettings& wanted)
+void FollowingRequests::setSettings (const FollowingSettings& wanted)
 {
     const std::lock_guard lock (mutex);
     asked.settings = wanted;
 }
 
-TrackingSettings TrackingRequests::settings() const
+FollowingSettings FollowingRequests::settings() const
 {
     const std::lock_guard lock (mutex);
     return asked.settings;
 }
 
-void TrackingRequests::setDrift (std::shared_ptr<const KnownDrift> known)
+void FollowingRequests::setDrift (std::shared_ptr<const KnownDrift> known)
 {
     const std::lock_guard lock (mutex);
     asked.drift = std::move (known);
     asked.isDriftNew = true;
 }
 
-std::shared_ptr<const KnownDrift> TrackingRequests::drift() const
+std::shared_ptr<const KnownDrift> FollowingRequests::drift() const
 {
     const std::lock_guard lock (mutex);
     return driftNow;
 }
 
-std::shared_ptr<const TrackingStatus> TrackingRequests::status() const
+std::shared_ptr<const FollowingStatus> FollowingRequests::status() const
 {
     const std::lock_guard lock (mutex);
     return statusNow;
 }
 
-TrackingRound TrackingRequests::take()
+FollowingRound FollowingRequests::take()
 {
     const std::lock_guard lock (mutex);
     auto round = asked;
@@ -44,7 +44,7 @@ TrackingRound TrackingRequests::take()
     return round;
 }
 
-void TrackingRequests::publish (std::shared_ptr<const TrackingStatus> status, std::shared_ptr<const KnownDrift> drift)
+void FollowingRequests::publish (std::shared_ptr<const FollowingStatus> status, std::shared_ptr<const KnownDrift> drift)
 {
     const std::lock_guard lock (mutex);
     statusNow = std::move (status);

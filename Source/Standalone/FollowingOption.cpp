@@ -1,4 +1,4 @@
-#include "TrackingOption.h"
+#include "FollowingOption.h"
 
 #include "ColonNumbers.h"
 #include "OutputRouting.h"
@@ -13,41 +13,41 @@ namespace antinode
 {
 namespace
 {
-[[noreturn]] void refuseTracking (const std::string& text, const std::string& wrong)
+[[noreturn]] void refuseFollowing (const std::string& text, const std::string& wrong)
 {
-    throw InputError ("--track " + text, wrong
-                                             + "; allowed: velocity:X:Y or displacement:X:Y, in mm, ceramic_current:N "
-                                               "or ceramic_charge:N, from 1 to "
-                                             + std::to_string (OutputRouting::maximumCeramics) + ", or none");
+    throw InputError ("--follow " + text, wrong
+                                              + "; allowed: velocity:X:Y or displacement:X:Y, in mm, ceramic_current:N "
+                                                "or ceramic_charge:N, from 1 to "
+                                              + std::to_string (OutputRouting::maximumCeramics) + ", or none");
 }
 } // namespace
 
-TrackingSettings readTracking (const std::string& text)
+FollowingSettings readFollowing (const std::string& text)
 {
-    TrackingSettings settings;
+    FollowingSettings settings;
 
     if (text == "none")
         return settings;
 
     const auto colon = static_cast<std::size_t> (std::find (text.begin(), text.end(), ':') - text.begin());
-    const auto* const sensor = std::find_if (trackingSensorWords.begin(), trackingSensorWords.end(),
+    const auto* const sensor = std::find_if (followingSensorWords.begin(), followingSensorWords.end(),
                                              [word = std::string_view (text).substr (0, colon)] (const auto& entry)
                                              { return entry.first == word; });
 
-    if (sensor == trackingSensorWords.end())
-        refuseTracking (text, "is no sensor");
+    if (sensor == followingSensorWords.end())
+        refuseFollowing (text, "is no sensor");
 
     settings.sensor = sensor->second;
     const std::optional<std::vector<double>> behind =
         colon < text.size() ? colonNumbers (std::string_view (text).substr (colon + 1)) : std::vector<double>();
 
     if (! behind)
-        refuseTracking (text, "has something that is no number");
+        refuseFollowing (text, "has something that is no number");
 
     const auto& numbers = *behind;
 
     if (numbers.size() != (settings.isCeramic() ? 1 : 2))
-        refuseTracking (text, settings.isCeramic() ? "does not say one ceramic" : "does not say one place");
+        refuseFollowing (text, settings.isCeramic() ? "does not say one ceramic" : "does not say one place");
 
     if (! settings.isCeramic())
     {
@@ -57,7 +57,7 @@ TrackingSettings readTracking (const std::string& text)
     }
 
     if (! (numbers[0] >= 1 && numbers[0] <= OutputRouting::maximumCeramics) || numbers[0] != std::floor (numbers[0]))
-        refuseTracking (text, "is no number of a ceramic");
+        refuseFollowing (text, "is no number of a ceramic");
 
     settings.ceramic = static_cast<int> (numbers[0]) - 1;
     return settings;

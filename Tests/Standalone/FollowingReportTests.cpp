@@ -1,4 +1,4 @@
-#include <Standalone/TrackingReport.h>
+#include <Standalone/FollowingReport.h>
 
 #include <catch2/catch.hpp>
 
@@ -6,19 +6,19 @@ using namespace antinode;
 
 TEST_CASE ("another state and a jump are news, once each")
 {
-    TrackingReport report;
-    TrackingStatus now;
+    FollowingReport report;
+    FollowingStatus now;
     CHECK (report.news (now).empty());
     CHECK (report.summary().empty());
 
-    now.state = TrackingState::waiting;
+    now.state = FollowingState::waiting;
     CHECK (report.news (now) == "drift unknown, waiting");
     CHECK (report.news (now).empty());
 
-    now.state = TrackingState::following;
-    now.trace.push_back ({ 0.5, TrackingState::following, 0.00421, 1e-5, 0.02 });
+    now.state = FollowingState::following;
+    now.trace.push_back ({ 0.5, FollowingState::following, 0.00421, 1e-5, 0.02 });
     CHECK (report.news (now) == "drift +0.42 %, following");
-    now.trace.push_back ({ 1.0, TrackingState::following, -0.00104, 1e-5, 0.02 });
+    now.trace.push_back ({ 1.0, FollowingState::following, -0.00104, 1e-5, 0.02 });
     CHECK (report.news (now).empty());
     CHECK (report.summary() == "drift -0.10 %, following");
 
@@ -31,15 +31,15 @@ TEST_CASE ("another state and a jump are news, once each")
 
 TEST_CASE ("of windows that are lost only the first is news")
 {
-    TrackingReport report;
-    TrackingStatus now;
-    now.state = TrackingState::lost;
+    FollowingReport report;
+    FollowingStatus now;
+    now.state = FollowingState::lost;
     now.reason = "62 % are not explained.";
     CHECK (report.news (now) == "drift unknown, lost: 62 % are not explained.");
     now.reason = "63 % are not explained.";
     CHECK (report.news (now).empty());
-    now.state = TrackingState::off;
+    now.state = FollowingState::off;
     now.reason.clear();
-    CHECK (report.news (now) == "tracking off");
+    CHECK (report.news (now) == "following off");
     CHECK (report.summary().empty());
 }
