@@ -41,16 +41,6 @@ double priorCost (const KnownModes& modes, const KnownModePrior& prior)
     return (frequencies.square().sum() + dampings.square().sum() + participation.square().sum()) / 2;
 }
 
-/** By what each ceramic's known participations are multiplied, least squares over the modes, each in its own measure.
- */
-Eigen::VectorXd scalesOf (const Eigen::MatrixXd& found, const Eigen::MatrixXd& known)
-{
-    const auto weights = known.rowwise().squaredNorm().cwiseMax (1e-300).cwiseInverse().eval();
-    const Eigen::VectorXd between = known.cwiseProduct (found).transpose() * weights,
-                          squares = known.cwiseAbs2().transpose() * weights;
-    return (squares.array() > 1e-12).select (between.cwiseQuotient (squares.cwiseMax (1e-300)), 1);
-}
-
 /** Where the search for the most probable modes is. */
 struct Search
 {
@@ -124,6 +114,14 @@ private:
     LineMoments moments;
 };
 } // namespace
+
+Eigen::VectorXd scalesOf (const Eigen::MatrixXd& found, const Eigen::MatrixXd& known)
+{
+    const auto weights = known.rowwise().squaredNorm().cwiseMax (1e-300).cwiseInverse().eval();
+    const Eigen::VectorXd between = known.cwiseProduct (found).transpose() * weights,
+                          squares = known.cwiseAbs2().transpose() * weights;
+    return (squares.array() > 1e-12).select (between.cwiseQuotient (squares.cwiseMax (1e-300)), 1);
+}
 
 KnownModeFit fitKnownModes (PreparedResponses& data, const KnownModes& start, const KnownModePrior& prior, double delay)
 {

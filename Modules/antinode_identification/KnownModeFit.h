@@ -27,6 +27,12 @@ struct KnownModeFit
     double reconstructionError = 0; ///< dB, of the responses.
 };
 
+/** By what each ceramic's known participations are multiplied, least squares over the modes, each in its own measure.
+    @param found  N_m x N_b, as
+    @param known
+    @return       N_b [worker] */
+Eigen::VectorXd scalesOf (const Eigen::MatrixXd& found, const Eigen::MatrixXd& known);
+
 /** All poles and participations and the common delay at once, with shapes as they are known, by steps of Gauss and
     Newton on the posterior density within bounds, with a factor of each ceramic from a first pass. Participations are
     eliminated in each step, ceramic by ceramic; modes outside the band are powers of frequency, free at each point and

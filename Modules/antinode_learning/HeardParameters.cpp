@@ -169,6 +169,7 @@ std::vector<SharedParameter> sharedOf (const LearningPrior& prior)
 
     return shared;
 }
+
 std::vector<std::vector<LearningParameter>> heardInRecordings (const LearningPrior& prior)
 {
     std::vector<std::vector<LearningParameter>> ofModes (static_cast<std::size_t> (prior.model.modes()));

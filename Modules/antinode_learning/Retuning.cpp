@@ -99,16 +99,6 @@ std::vector<Sensor> sensorsAt (const ModalModel& model, const Eigen::MatrixX2d& 
     return sensors;
 }
 
-/** By what each ceramic's known participations are multiplied, least squares over the modes, each in its own measure.
- */
-Eigen::VectorXd scalesOf (const Eigen::MatrixXd& found, const Eigen::MatrixXd& known)
-{
-    const auto weights = known.rowwise().squaredNorm().cwiseMax (1e-300).cwiseInverse().eval();
-    const Eigen::VectorXd between = known.cwiseProduct (found).transpose() * weights,
-                          squares = known.cwiseAbs2().transpose() * weights;
-    return (squares.array() > 1e-12).select (between.cwiseQuotient (squares.cwiseMax (1e-300)), 1);
-}
-
 /** Modes as responses and what was known before say that they are. */
 struct Fit
 {
@@ -116,6 +106,7 @@ struct Fit
     Eigen::VectorXd pointErrors; ///< N_p: what each point's place in the file leaves of its responses, RMS over RMS.
     double unexplained = 0;      ///< RMS over RMS.
     double shapeError = 0;       ///< Of the middle mode at the points, RMS over RMS.
+    bool hasExactShapes = false; ///< Shapes and places were not fitted.
 };
 
 /** How far shapes of the middle mode are off at the points, RMS over RMS: what was found of each beside what all
@@ -184,7 +175,7 @@ Fit fitted (const LearningPrior& prior, const LearningProblem& problem, const Le
     const auto pointErrors = responseState (prior, problem.state (stated)).pointErrors;
     const auto shapeError = shapeErrorOf (prior, problem.all().parameters, solution.values);
     return { problem.learnt (problem.judged (std::move (solution), 0)), pointErrors, std::sqrt (end.left / end.energy),
-             shapeError };
+             shapeError, prior.sensors.front().deviations.size() == 0 };
 }
 
 /** @param nominal  modes near the lines, with their common drift */
@@ -233,6 +224,7 @@ Fit fittedByShapes (const ModalModel& nominal, PreparedResponses& data, const Kn
     start.dampingRatios = poles.dampingRatios;
     auto found = fitKnownModes (data, start, priorOf (known, spread), poles.delay);
     Fit fit;
+    fit.hasExactShapes = true;
     fit.learnt.model = nominal;
     fit.learnt.model.angularFrequencies = std::move (found.modes.angularFrequencies);
     fit.learnt.model.dampingRatios = std::move (found.modes.dampingRatios);
@@ -313,6 +305,7 @@ RetunedModel retuned (const ModalModel& model, const Indices& modes, const Fit& 
 
     result.model = ascending (std::move (changed));
     result.pointErrors = fit.pointErrors;
+    result.hasExactShapes = fit.hasExactShapes;
     result.delay = now.delays[now.delays.size() - 1];
     return result;
 }

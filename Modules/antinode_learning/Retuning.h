@@ -20,6 +20,8 @@ struct RetunedModel
         participationScales;        ///< N_b: by which each ceramic's participation was multiplied; 1 where not seen.
     Eigen::VectorXd pointErrors;    ///< N_p: what is left of each point's responses, RMS over RMS.
     double delay = 0;               ///< s
+    bool hasExactShapes = false;    ///< Shapes and places of points were not fitted: of a model that does not say where
+                                    ///< its modes come from, of more than 30 points, of more than 4000 unknowns.
     double reconstructionError = 0; ///< dB, of the few responses.
 };
 

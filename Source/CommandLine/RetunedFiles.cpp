@@ -36,6 +36,12 @@ RetunedDevice retuneByFiles (const DeviceDescription& device, const std::vector<
     }
 
     auto retuned = retune (model, measured.responses, spread, millimetre * deviations.place);
+
+    if (retuned.hasExactShapes && deviations.place > 0)
+        measured.remarks.emplace_back ("Shapes and places of the points are taken as exact: they are fitted where the "
+                                       "device says where its modes come from, at up to 30 points, of up to 4000 "
+                                       "unknowns (modes times ceramics and points).");
+
     return { device, std::move (model), std::move (retuned), std::move (measured.remarks) };
 }
 
