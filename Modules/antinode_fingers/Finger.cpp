@@ -3,7 +3,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
-#include <antinode_model/PlaceOnLine.h>
+#include <antinode_model/PlaceOnSurface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,13 +31,6 @@ void requireFinite (const Finger& finger, const std::string& where)
     check ("mass", finger.mass);
     check ("damping", finger.damping);
     check ("stiffness", finger.stiffness);
-}
-
-void requireInside (const std::string& where, double value, double least, double most)
-{
-    if (! (value >= least && value <= most))
-        throw InputError (where, "is " + inWords (value * milli) + " mm, which is outside the surface; allowed: "
-                                     + inWords (least * milli) + " to " + inWords (most * milli) + " mm");
 }
 } // namespace
 
@@ -67,13 +60,7 @@ void validate (const std::vector<Finger>& fingers, const Surface& surface)
         const auto& finger = fingers[i];
         const auto where = numberedFinger (i);
         requireFinite (finger, where);
-        requireInside (where + " x", finger.x, surface.xMinimum, surface.xMaximum);
-
-        if (surface.kind == SurfaceKind::plate)
-            requireInside (where + " y", finger.y, surface.yMinimum, surface.yMaximum);
-
-        requireOnLine (surface, finger.y, where + " y");
-        requireWithinBoundary (surface, finger.x, finger.y, where);
+        requireOnSurface (surface, finger.x, finger.y, where);
 
         for (std::size_t j = 0; j < i; ++j)
             if (const auto distance = std::hypot (finger.x - fingers[j].x, finger.y - fingers[j].y);

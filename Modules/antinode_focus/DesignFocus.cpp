@@ -14,6 +14,7 @@
 #include <antinode_allocation/LowerBound.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Watch.h>
+#include <antinode_model/PlaceOnSurface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,27 +25,11 @@ namespace
 {
 void checkTargets (const ModalModel& model, const std::vector<Target>& targets)
 {
-    const auto& surface = model.surface;
-    const auto isPlate = surface.kind == SurfaceKind::plate;
+    const auto isPlate = model.surface.kind == SurfaceKind::plate; // On a line a y is ignored, with a warning.
 
     for (std::size_t i = 0; i < targets.size(); ++i)
-    {
-        const auto where = "focus: target " + std::to_string (i + 1) + " ";
-        const auto check = [&] (const char* name, double value, double minimum, double maximum)
-        {
-            if (value < minimum || value > maximum)
-                throw InputError (where + name, "is " + inWords (value * 1000)
-                                                    + " mm, which is outside the surface of '" + model.name
-                                                    + "'; allowed: " + inWords (minimum * 1000) + " to "
-                                                    + inWords (maximum * 1000) + " mm");
-        };
-        check ("x", targets[i].x, surface.xMinimum, surface.xMaximum);
-
-        if (isPlate)
-            check ("y", targets[i].y, surface.yMinimum, surface.yMaximum);
-
-        requireWithinBoundary (surface, targets[i].x, targets[i].y, "focus: target " + std::to_string (i + 1));
-    }
+        requireOnSurface (model.surface, targets[i].x, isPlate ? targets[i].y : 0,
+                          "focus: target " + std::to_string (i + 1));
 }
 
 void checkRate (const ModalModel& model, const std::vector<int>& modes, Playback playback)

@@ -1,6 +1,6 @@
 #include "ModalModel.h"
 
-#include "PlaceOnLine.h"
+#include "PlaceOnSurface.h"
 #include "ShapeInterpolation.h"
 
 #include <antinode_base/InputError.h>

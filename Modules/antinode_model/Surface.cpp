@@ -1,6 +1,6 @@
 #include "Surface.h"
 
-#include "PlaceOnLine.h"
+#include "PlaceOnSurface.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
@@ -53,6 +53,24 @@ void requireOnLine (const Surface& surface, double y, const std::string& where)
 
     if (surface.kind == SurfaceKind::line && ! (std::abs (y) <= rounding))
         throw InputError (where, "is " + inWords (y * 1000) + " mm, but the surface is a line; allowed: 0");
+}
+
+void requireOnSurface (const Surface& surface, double x, double y, const std::string& where)
+{
+    const auto check = [&] (const char* axis, double value, double least, double most)
+    {
+        if (! (value >= least && value <= most))
+            throw InputError (where + axis, "is " + inWords (value * 1000)
+                                                + " mm, which is outside the surface; allowed: "
+                                                + inWords (least * 1000) + " to " + inWords (most * 1000) + " mm");
+    };
+    check (" x", x, surface.xMinimum, surface.xMaximum);
+
+    if (surface.kind == SurfaceKind::plate)
+        check (" y", y, surface.yMinimum, surface.yMaximum);
+
+    requireOnLine (surface, y, where + " y");
+    requireWithinBoundary (surface, x, y, where);
 }
 
 std::vector<Eigen::Index> pointsOn (const Surface& surface)

@@ -3,7 +3,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
-#include <antinode_model/PlaceOnLine.h>
+#include <antinode_model/PlaceOnSurface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,24 +12,6 @@ namespace antinode
 {
 namespace
 {
-void requireInside (double value, double minimum, double maximum, const std::string& where)
-{
-    if (! (value >= minimum && value <= maximum))
-        throw InputError (where, "is " + inWords (value * milli) + " mm, outside the surface; allowed: "
-                                     + inWords (minimum * milli) + " to " + inWords (maximum * milli) + " mm");
-}
-
-void requireOnSurface (const Surface& surface, double x, double y, const std::string& which)
-{
-    requireInside (x, surface.xMinimum, surface.xMaximum, which + " x");
-
-    if (surface.kind == SurfaceKind::plate)
-        requireInside (y, surface.yMinimum, surface.yMaximum, which + " y");
-
-    requireOnLine (surface, y, which + " y");
-    requireWithinBoundary (surface, x, y, which);
-}
-
 void requirePath (const Surface& surface, const TouchedPoint& point, const std::string& which)
 {
     constexpr double fastest = 2, longest = 10; // m/s, m

@@ -207,7 +207,7 @@ TEST_CASE ("Impossible requests are refused with the field", "[focus]")
     focus.targets[0].x = 0.2;
     CHECK_THROWS_WITH (
         designFocus (model, focus, {}),
-        Catch::Contains ("focus: target 1 x: is 200 mm, which is outside the surface of 'sine beam'; allowed: "));
+        Catch::Contains ("focus: target 1 x: is 200 mm, which is outside the surface; allowed: "));
     focus = sincFocus (AllocationMethod::exact);
     focus.modes.count = 20;
     CHECK_THROWS_WITH (designFocus (model, focus, { Reconstruction::bandLimited, 48000 }),

@@ -185,7 +185,7 @@ TEST_CASE ("Paths that no finger takes are refused in one sentence", "[tracks]")
         return errorText ([&] { designTracks (model, description, settingsFor (48000)); });
     };
     CHECK (refusal ({ { 0, 0.05, 0.06 }, { 0.1, 0.05, 0.16 } })
-           == "waveforms: track 1 path 2 y: is 160 mm, outside the surface; allowed: 0 to 150 mm");
+           == "waveforms: track 1 path 2 y: is 160 mm, which is outside the surface; allowed: 0 to 150 mm");
     CHECK_THAT (refusal ({ { 0, 0.05, 0.06 }, { 0, 0.06, 0.06 } }),
                 Catch::Contains ("track 1 path 2 time: is 0 ms, not after the one before"));
     CHECK_THAT (refusal ({ { 0, 0.05, 0.06 }, { 0.01, 0.15, 0.06 } }),
@@ -277,7 +277,7 @@ TEST_CASE ("Waveforms that cannot be are refused in one sentence", "[tracks]")
     auto description = twoPoints (1e-6);
     description.silent[0].x = 0.3;
     CHECK (refusal (description, 48000)
-           == "waveforms: silent finger 1 x: is 300 mm, outside the surface; allowed: 0 to 200 mm");
+           == "waveforms: silent finger 1 x: is 300 mm, which is outside the surface; allowed: 0 to 200 mm");
 
     description = twoPoints (1e-6);
     description.silent[0].x = 0.0505;
