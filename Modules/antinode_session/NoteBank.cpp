@@ -3,7 +3,7 @@
 #include <antinode_engine/FocusBank.h>
 #include <antinode_focus/BankPlaces.h>
 #include <antinode_focus/WideDesign.h>
-#include <antinode_library/Library.h>
+#include <antinode_library/Setup.h>
 
 #include <algorithm>
 
@@ -32,6 +32,6 @@ std::function<WideModel()> modesBeyond (std::shared_ptr<const DeviceDocument> de
                                         std::shared_ptr<const ModalModel> model, double sampleRate)
 {
     return [document = std::move (device), known = std::move (model), sampleRate]
-    { return solveWide (document->description, *known, frequencyBeyond (*known, sampleRate), true); };
+    { return widened (document->description, *known, sampleRate, true); };
 }
 } // namespace antinode

@@ -60,16 +60,11 @@ void FocusStudy::check (const CaseKeys& all) const
     focusFromDocument (assigned (given.focus(), keysOf (all, "focus.")), "case 0: focus", "focus");
 }
 
-std::shared_ptr<const FocusStudy::SolvedDevice> FocusStudy::deviceOf (const CaseKeys& all) const
+std::shared_ptr<const Setup> FocusStudy::deviceOf (const CaseKeys& all) const
 {
     const auto keys = keysOf (all, "device.");
     const auto solve = [&]
-    {
-        auto description = readDevice (assigned (given.device(), keys), "device");
-        const auto known = solveDevice (description, {}, usesCache);
-        auto wide = solveWide (description, known, frequencyBeyond (known, playback.sampleRate), usesCache);
-        return SolvedDevice { std::move (description), std::move (wide) };
-    };
+    { return setUp (readDevice (assigned (given.device(), keys), "device"), playback, usesCache); };
     return devices.get (textOf (keys), solve);
 }
 
@@ -80,9 +75,7 @@ std::shared_ptr<const FocusStudy::MadeDesign> FocusStudy::designOf (const CaseKe
     {
         const auto focus = focusFromDocument (assigned (given.focus(), keys), "focus", "focus");
         const auto device = deviceOf (all);
-        const auto widen = [&] (const ModalModel& known, double frequency)
-        { return solveWide (device->description, known, frequency, usesCache); };
-        MadeDesign design { designWide (device->wide, focus, playback, widen, extent), {}, {}, {} };
+        MadeDesign design { designWide (device->wide, focus, playback, device->widen, extent), {}, {}, {} };
         const auto& model = design.made.wide.model;
         const auto& moment = design.made.design.moments.front();
         design.modes = withoutShapes (model);

@@ -5,8 +5,7 @@
 #include "SweepInputs.h"
 
 #include <antinode_focus/FieldPeak.h>
-#include <antinode_focus/WideDesign.h>
-#include <antinode_structure/DeviceDescription.h>
+#include <antinode_library/Setup.h>
 
 #include <memory>
 
@@ -24,12 +23,6 @@ public:
     nlohmann::ordered_json summary (const CaseKeys&, const Deviation&, std::uint64_t seed) const override;
 
 private:
-    struct SolvedDevice
-    {
-        DeviceDescription description;
-        WideModel wide;
-    };
-
     struct MadeDesign
     {
         WideDesign made;
@@ -37,7 +30,7 @@ private:
         FieldPeak wantedPeak, truncatedPeak;
     };
 
-    std::shared_ptr<const SolvedDevice> deviceOf (const CaseKeys&) const;
+    std::shared_ptr<const Setup> deviceOf (const CaseKeys&) const;
     std::shared_ptr<const MadeDesign> designOf (const CaseKeys&) const;
     nlohmann::ordered_json closedForm (const MadeDesign&, const Deviation&, std::uint64_t seed) const;
     nlohmann::ordered_json rendered (const MadeDesign&, const Deviation&, std::uint64_t seed) const;
@@ -46,7 +39,7 @@ private:
     Playback playback;
     DesignExtent extent;
     bool usesCache;
-    mutable SharedValues<SolvedDevice> devices;
+    mutable SharedValues<Setup> devices;
     mutable SharedValues<MadeDesign> designs;
 };
 } // namespace antinode
