@@ -11,9 +11,10 @@ else()
     set (ENV{SOURCE_DATE_EPOCH} ${own_time})
 endif()
 
-# Each as it is installed, in the folder of documents.
+# Each as it is installed, in the folder of documents. To the page of antinode the program adds its options: Source/CMakeLists.txt.
 set (ANTINODE_DOCUMENTS ${CMAKE_BINARY_DIR}/documents)
-foreach (file Docs/Man/antinode.1 Docs/Man/antinode-standalone.1 Resources/Debian/changelog
+configure_file (Docs/Man/antinode.1 ${CMAKE_BINARY_DIR}/commands.1 @ONLY)
+foreach (file Docs/Man/antinode-standalone.1 Resources/Debian/changelog
          Resources/Desktop/example.antinode.Antinode.metainfo.xml)
     get_filename_component (name ${file} NAME)
     configure_file (${file} ${ANTINODE_DOCUMENTS}/${name} @ONLY)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "AudioBench.h"
+#include "SensorScale.h"
 
 #include <antinode_documents/ExcitationFile.h>
 #include <antinode_model/ModalModel.h>
@@ -9,13 +10,6 @@
 
 namespace antinode
 {
-/** The sensor and its input. */
-struct SensorScale
-{
-    double sensitivity = 0;    ///< mm/s per V; 0: unknown.
-    double inputFullScale = 1; ///< Input voltage of a recorded sample of 1, V
-};
-
 /** What to connect, to check with meter and scope, and to expect, before a device is measured: numbered steps with the
    numbers of this device, lines of text.
     @param points  N_p x 2, m; the first is where the sensor's signal is predicted

@@ -1,13 +1,13 @@
 #include "CommandLine.h"
 
 #include "Commands.h"
-#include "FieldNames.h"
 
 #include <antinode_audio/Interruption.h>
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
 #include <antinode_base/StandardStreams.h>
 #include <antinode_base/Watch.h>
+#include <antinode_tasks/FieldNames.h>
 
 #include <cstdio>
 #include <exception>
@@ -71,33 +71,38 @@ int complain (const char* text)
     return badInput;
 }
 
+/** All commands, in the groups of --help. */
+void addCommands (CLI::App& app)
+{
+    using Add = void (*) (CLI::App&);
+    const std::vector<std::pair<std::string, std::vector<Add>>> groups {
+        { "Design and play", { addRenderCommand, addDesignCommand, addPerformCommand } },
+        { "Devices", { addDevicesCommand, addModesCommand, addPlaceCommand, addImportCommand } },
+        { "Measure",
+          { addExciteCommand, addMeasureCommand, addFrfCommand, addCalibrateCommand, addIdentifyCommand,
+            addRetuneCommand, addHysteresisCommand } },
+        { "Learn from plays", { addSensorsCommand, addLearnCommand, addFollowCommand } },
+        { "Study", { addMapCommand, addSweepCommand, addPaperCommand } },
+        { "About", { addVersionCommand } },
+    };
+
+    for (const auto& [name, commands] : groups)
+        for (const auto add : commands)
+        {
+            add (app);
+            app.get_subcommands ([] (const CLI::App*) { return true; }).back()->group (name);
+        }
+
+    addManualPageCommand (app);
+}
+
 int runCommand (int argumentCount, const char* const* arguments)
 {
     CLI::App app ("Antinode: the voltages that focus the vibration of a surface at a chosen position and instant.",
                   "antinode");
     app.require_subcommand (1);
     app.footer ("Every command has --help. `antinode render` without arguments renders the embedded demonstrator.");
-    addDevicesCommand (app);
-    addModesCommand (app);
-    addPlaceCommand (app);
-    addIdentifyCommand (app);
-    addDesignCommand (app);
-    addRenderCommand (app);
-    addPerformCommand (app);
-    addSweepCommand (app);
-    addMapCommand (app);
-    addPaperCommand (app);
-    addExciteCommand (app);
-    addMeasureCommand (app);
-    addFrfCommand (app);
-    addCalibrateCommand (app);
-    addHysteresisCommand (app);
-    addRetuneCommand (app);
-    addLearnCommand (app);
-    addFollowCommand (app);
-    addSensorsCommand (app);
-    addImportCommand (app);
-    addVersionCommand (app);
+    addCommands (app);
 
     const WatchScope scope ([] { return ! isInterrupted(); });
 
@@ -113,6 +118,11 @@ int runCommand (int argumentCount, const char* const* arguments)
     catch (const CLI::Success& success) // --help
     {
         return app.exit (success);
+    }
+    catch (const CLI::ValidationError& error)
+    {
+        std::fprintf (stderr, "antinode: %s\n", error.what());
+        return wrongUsage;
     }
     catch (const CLI::ParseError& error)
     {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <antinode_render/FocusPower.h>
+
 #include <CLI/CLI.hpp>
 
 namespace antinode
@@ -26,4 +28,8 @@ void addFollowCommand (CLI::App&);
 void addSensorsCommand (CLI::App&);
 void addImportCommand (CLI::App&);
 void addVersionCommand (CLI::App&);
+void addManualPageCommand (CLI::App&); ///< Hidden: for the build.
+
+/** The lines of a focus's electrical power, as wide as those of its scores. */
+void printPower (const ModalModel&, const FocusPower&);
 } // namespace antinode

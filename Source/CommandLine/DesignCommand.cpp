@@ -1,8 +1,5 @@
 #include "Commands.h"
-#include "CommonOptions.h"
-#include "DesignTolerances.h"
-#include "DesignTradeoffs.h"
-#include "FocusOnDevice.h"
+#include "FieldOptions.h"
 #include "Progress.h"
 
 #include <antinode_audio/Interruption.h>
@@ -12,11 +9,11 @@
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/ExpectedError.h>
 #include <antinode_focus/LimitWords.h>
-#include <antinode_library/Inputs.h>
+#include <antinode_tasks/Tolerance.h>
+#include <antinode_tasks/Tradeoffs.h>
 #include <antinode_text/OutputFolder.h>
 
-#include <nlohmann/json.hpp>
-
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -26,44 +23,17 @@ namespace antinode
 {
 namespace
 {
-struct DesignCommandOptions
+struct DesignOptions
 {
-    CommonOptions common;
-    ToleranceCommandOptions tolerance;
-    bool isTradeoff = false;
-    bool isForMatlab = false;
+    ToleranceRequest request;
+    std::filesystem::path folder = "antinode-out";
+    bool hasTolerance = false, isTradeoff = false, isForMatlab = false, isQuiet = false;
 };
 
-void design (const DesignCommandOptions& all)
+void print (const DesignedFocus& designed, const FocusPower& power)
 {
-    const auto& options = all.common;
-    const auto made = designFrom (options);
-    const auto& result = made.design;
-    const auto model = firstModes (made.wide.model, made.wide.known);
-    const auto power = designedPower (made, options.playback(), options.repetitions);
-    std::vector<DesignTolerance> tolerances;
-    const auto draws = std::filesystem::path (options.folder) / "tolerance-draws";
-    OutputFolder folder (options.folder);
-    folder.write ("design.json", designDocument (made, power).dump (2) + "\n");
-
-    if (all.isForMatlab)
-        folder.write ("design.mat", encodeDesignForMatlab (result, designedModel (made.wide)));
-
-    if (all.tolerance.isWanted)
-    {
-        Progress progress (options.isQuiet);
-        tolerances = designTolerances (model, result, all.tolerance, draws,
-                                       [&] (const std::string& what, double share) { progress.show (what, share); });
-        writeTolerances (folder, model, result.description.name, tolerances);
-    }
-
-    folder.commit();
-    std::error_code ignored;
-    std::filesystem::remove_all (draws, ignored);
-
-    if (options.isQuiet)
-        return;
-
+    const auto& result = designed.made.design;
+    const auto model = ownModel (designed);
     std::printf ("%s on %s: %zu modes, captured %.4f, peak %s V of %s V\n", result.description.name.c_str(),
                  model.name.c_str(), result.controlledModes.size(), result.captured,
                  inWords (peakVoltage (result)).c_str(), inWords (result.program.voltageLimits.maxCoeff()).c_str());
@@ -78,32 +48,61 @@ void design (const DesignCommandOptions& all)
 
     for (const auto& warning : result.warnings)
         std::printf ("Warning: %s\n", warning.c_str());
+}
 
-    if (! tolerances.empty())
-        std::printf ("%s%s/tolerance.html\n", tolerancesInWords (model, tolerances).c_str(), options.folder.c_str());
+void runDesign (DesignOptions& options)
+{
+    auto& request = options.request;
+    const auto designed = std::make_shared<const DesignedFocus> (design (request.design, {}));
+    const auto power = designedPower (*designed);
+    std::optional<DesignOnDevices> played;
+    OutputFolder folder (options.folder);
+    folder.write ("design.json", designFileText (*designed, power));
+
+    if (options.isForMatlab)
+        folder.write ("design.mat", encodeDesignForMatlab (designed->made.design, designedModel (designed->made.wide)));
+
+    if (options.hasTolerance)
+    {
+        Progress progress (options.isQuiet);
+        request.made = designed;
+        request.folder = options.folder / "tolerance-draws";
+        played = tolerance (request, progress.shown());
+        writeTolerances (folder, *played);
+    }
+
+    folder.commit();
+    std::error_code ignored;
+    std::filesystem::remove_all (options.folder / "tolerance-draws", ignored);
+
+    if (options.isQuiet)
+        return;
+
+    print (*designed, power);
+
+    if (played)
+        std::printf ("%s%s/tolerance.html\n", tolerancesInWords (*played).c_str(), options.folder.c_str());
 
     std::printf ("%s/design.json\n", options.folder.c_str());
 }
 
 /** All designs, or those that were finished when the user interrupted. @throws Cancelled  where there are none */
-DesignTradeoff designsSoFar (const CommonOptions& options)
+DesignTradeoff designsSoFar (const DesignOptions& options)
 {
-    checkAssignments (options.assignments);
-    const auto focus = loadFocus (options.focus, options.assignments);
-    const auto wanted = focus.felt ? completed (options, focus) : focus;
+    const auto& request = options.request.design;
     Progress progress (options.isQuiet);
-    progress.show (focus.felt ? "Designing" : "Finding the lower bound", 0);
+    progress.show (request.focus.felt ? "Designing" : "Finding the lower bound", 0);
     DesignTradeoff soFar;
 
     try
     {
-        return designTradeoff (
-            loadDevice (options.device, options.assignments), wanted, options.playback(), options.usesCache,
-            [&] (const DesignTradeoff& now, double share)
-            {
-                soFar = now;
-                progress.show ("Designing", share, formatted ("%zu of %zu designs", now.designs(), now.planned()));
-            });
+        return designTradeoff (request,
+                               [&] (const DesignTradeoff& now, double share)
+                               {
+                                   soFar = now;
+                                   progress.show ("Designing", share,
+                                                  formatted ("%zu of %zu designs", now.designs(), now.planned()));
+                               });
     }
     catch (const Cancelled&)
     {
@@ -115,7 +114,7 @@ DesignTradeoff designsSoFar (const CommonOptions& options)
     }
 }
 
-void sweep (const CommonOptions& options)
+void sweep (const DesignOptions& options)
 {
     const auto tradeoff = designsSoFar (options);
     writeTradeoff (options.folder, tradeoff);
@@ -128,27 +127,41 @@ void sweep (const CommonOptions& options)
 }
 } // namespace
 
+void printPower (const ModalModel& model, const FocusPower& power)
+{
+    const std::array headings { "current", "power", "amplifier" };
+    const auto sentences = powerInWords (model, power);
+
+    for (std::size_t i = 0; i < sentences.size(); ++i)
+        std::printf ("  %-14s %s\n", sentences.size() == 1 ? "power" : headings[i], sentences[i].c_str());
+}
+
 void addDesignCommand (CLI::App& app)
 {
     auto* command = app.add_subcommand ("design", "Computes the voltages of a focus and writes design.json");
-    auto options = std::make_shared<DesignCommandOptions>();
-    command->add_option ("focus", options->common.focus, "Focus: an embedded name or a .json file")
-        ->capture_default_str();
-    addCommonOptions (*command, options->common);
-    addToleranceOptions (*command, options->tolerance);
-    auto* matlab = command->add_flag ("--mat", options->isForMatlab, "Also writes drives and allocation as design.mat");
-    auto* tradeoff = command->add_flag (
-        "--tradeoff", options->isTradeoff,
-        "Compares all methods and growths instead: peak voltage against time in motion; of a focus with "
-        "'felt' its weights: peak voltage against felt contrast");
-    tradeoff->excludes (command->get_option ("--tolerance"))->excludes (matlab);
+    auto options = std::make_shared<DesignOptions>();
+    auto& request = options->request;
+    const std::string tolerance = "--tolerance";
+    auto all = fields (request.design);
+    append (all, { Field ("--out", &options->folder, "Output folder"), quietField (options->isQuiet),
+                   Field (tolerance, &options->hasTolerance,
+                          "Computes the field error on devices that differ from the model") });
+
+    for (auto& field : spreadFields (request))
+        all.push_back (field.with (tolerance));
+
+    append (all,
+            { Field ("--mat", &options->isForMatlab, "Also writes drives and allocation as design.mat"),
+              Field ("--tradeoff", &options->isTradeoff,
+                     "Compares all methods and growths instead: peak voltage against time in motion; of a focus with "
+                     "'felt' its weights: peak voltage against felt contrast")
+                  .without (tolerance)
+                  .without ("--mat") });
     command->callback (
-        [options]
+        [options, read = addFields (*command, all)]
         {
-            auto& common = options->common;
-            common.device =
-                deviceFor (LibraryKind::focus, { common.focus }, common.device, usualDevice, common.assignments);
-            options->isTradeoff ? sweep (common) : design (*options);
+            read();
+            options->isTradeoff ? sweep (*options) : runDesign (*options);
         });
 }
 } // namespace antinode

@@ -1,14 +1,13 @@
 #include "Commands.h"
-#include "EstimatedFiles.h"
-#include "HammerRecordings.h"
+#include "FieldOptions.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_documents/ExcitationFolder.h>
+#include <antinode_base/NumberText.h>
 #include <antinode_reports/MeasurementReport.h>
-#include <antinode_text/NaturalOrder.h>
+#include <antinode_tasks/Frf.h>
 #include <antinode_text/OutputFolder.h>
-#include <antinode_universal/UniversalFile.h>
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -16,112 +15,133 @@ namespace antinode
 {
 namespace
 {
-struct FrfOptions
+void printHits (const HammerMeasurement& measurement)
 {
-    std::vector<std::string> files;
-    std::string outputFile, reportFolder, estimator = "h1";
-    RecordingOptions recordings; // The files after the sheet.
-    HammerRecordingOptions hammer;
-};
+    for (std::size_t i = 0; i < measurement.recordings.size(); ++i)
+    {
+        const auto& hits = measurement.test.hits[i];
+        const auto& recording = measurement.recordings[i];
+        std::size_t used = 0;
 
-void refuse (const std::vector<const CLI::Option*>& options, const std::string& wrong)
-{
-    for (const auto* const option : options)
-        if (option->count() > 0)
-            throw InputError (option->get_name(), wrong);
+        for (const auto& hit : hits)
+            used += hit.fault.empty() ? 1 : 0;
+
+        std::printf ("%s: %zu of %zu hits used\n", recording.source.c_str(), used, hits.size());
+
+        for (std::size_t h = 0; h < hits.size(); ++h)
+            if (! hits[h].fault.empty())
+                std::printf ("  hit %zu at %.3f s left out: %s\n", h + 1,
+                             static_cast<double> (hits[h].trigger) / recording.sampleRate, hits[h].fault.c_str());
+    }
 }
 
-void writeReport (const std::string& folderName, const ReportPage& page)
+/** Over all lines and responses that have one; not a number where none has. */
+double meanCoherenceOf (const HammerMeasurement& measurement)
 {
-    if (folderName.empty())
-        return;
+    double sum = 0;
+    Eigen::Index count = 0;
 
-    OutputFolder folder (folderName);
-    folder.write ("report.html", renderReport (page));
-    folder.commit();
+    for (const auto& coherence : measurement.coherence)
+        for (const auto value : coherence.reshaped())
+            if (std::isfinite (value))
+            {
+                sum += value;
+                ++count;
+            }
+
+    return sum / static_cast<double> (count);
 }
 
-void estimateFromHammer (const FrfOptions& options)
+void printOutcome (const HammerMeasurement& measurement)
 {
-    const auto measurement = measureHammerFiles (options.files, options.recordings.pointsFile,
-                                                 estimatorNamed (options.estimator), options.hammer);
-    writeReport (options.reportFolder, hammerReport (measurement));
-    writeWholeFile (options.outputFile, encodeUniversalFile (hammerSets (measurement)));
-    printHammer (measurement);
-    std::printf ("Responses: %s\n", options.outputFile.c_str());
-}
+    const auto& frequencies = measurement.responses.frequencies;
+    const auto rate = measurement.recordings.front().sampleRate;
+    const auto spacing = rate / static_cast<double> (measurement.test.block);
+    const auto coherence = meanCoherenceOf (measurement);
 
-void estimateFromExcitation (const FrfOptions& options)
-{
-    auto recordings = options.recordings;
-    const std::vector<std::string> given (options.files.begin() + 1, options.files.end());
-    recordings.files = inNaturalOrder (given);
-    recordings.estimator = estimatorNamed (options.estimator);
-    const auto sheet = readSheet (options.files.front());
-    const auto measurement = estimateResponses (sheet, recordings);
-
-    writeReport (options.reportFolder, measurementReport (measurement, sheet));
-    writeWholeFile (options.outputFile, measurementText (measurement));
-    printMeasurement (measurement, sheet);
-
-    if (const auto remark = orderRemark (given, recordings.files); ! remark.empty())
+    for (const auto& remark : measurement.remarks)
         std::printf ("%s\n", remark.c_str());
+
+    constexpr double disturbing = 0.01;
+
+    if (const auto before = measurement.test.motionBefore; before > disturbing)
+        std::printf ("Warning: before a hit the signal has %.1f %% of the hit's motion: wait longer between hits, or "
+                     "lower the noise\n",
+                     100 * before);
+
+    if (measurement.test.windowDecay > 0)
+        std::printf ("Exponential window of %.4g 1/s: identify takes its damping off again\n",
+                     measurement.test.windowDecay);
+    else
+        std::printf ("No exponential window: the motion has decayed at the end of a hit\n");
+
+    std::printf ("%s to %s Hz every %.4g Hz, responses of %td points and directions to %zu references, ",
+                 inWords (frequencies[0]).c_str(), inWords (frequencies[frequencies.size() - 1]).c_str(), spacing,
+                 measurement.responses.points.rows(), measurement.responses.references.size());
+    std::printf ("%s\n", std::isfinite (coherence) ? formatted ("mean coherence %.4f", coherence).c_str()
+                                                   : "no coherence: one hit each");
+}
+void refuse (const CLI::App& command, const std::vector<Field>& fields, const std::string& wrong)
+{
+    for (const auto& field : fields)
+        if (command.get_option (field.option)->count() > 0)
+            throw InputError (field.option, wrong);
 }
 
-/** With a sheet first: of an excitation; else of a hammer. */
-void estimate (const FrfOptions& options, const std::vector<const CLI::Option*>& ofExcitation)
+/** Options of one kind of recording are not for the other. */
+void refuseOtherKind (const CLI::App& command, FrfRequest& request)
 {
-    const auto isOfExcitation = options.files.front().ends_with (".json");
-    refuse (isOfExcitation ? options.hammer.options : ofExcitation,
-            isOfExcitation ? "belongs to recordings of a hammer, which are given without a sheet"
-                           : "belongs to an excitation, whose sheet excitation.json is then the first file");
-    isOfExcitation ? estimateFromExcitation (options) : estimateFromHammer (options);
+    const auto kinds = fieldsByKind (request);
+
+    if (isOfExcitation (request))
+        refuse (command, kinds.ofHammer, "belongs to recordings of a hammer, which are given without a sheet");
+    else
+        refuse (command, kinds.ofExcitation,
+                "belongs to an excitation, whose sheet excitation.json is then the first file");
+}
+
+void print (const RecordedResponses& estimated, const std::string& file)
+{
+    if (estimated.hammer)
+    {
+        printHits (*estimated.hammer);
+        printOutcome (*estimated.hammer);
+        std::printf ("Responses: %s\n", file.c_str());
+        return;
+    }
+
+    printMeasurement (*estimated.surface, *estimated.sheet);
+
+    if (! estimated.orderRemark.empty())
+        std::printf ("%s\n", estimated.orderRemark.c_str());
 }
 } // namespace
 
 void addFrfCommand (CLI::App& app)
 {
-    auto* command =
-        app.add_subcommand ("frf", "Computes frequency responses from recordings of an excitation or a hammer");
-    auto options = std::make_shared<FrfOptions>();
-    auto& recordings = options->recordings;
-    command
-        ->add_option (
-            "files", options->files,
-            "Sheet of the excitation (excitation.json) and WAV files, each of one or more points, in the order "
-            "of the points; or recordings of a hammer alone")
-        ->required();
-    command->add_option ("--out", options->outputFile, "Universal file to write")->required()->type_name ("FILE");
-    command
-        ->add_option ("--points", recordings.pointsFile,
-                      "CSV of the points, x and y in mm; default: 1 mm apart on a line")
-        ->type_name ("FILE");
-    addSensorOptions (*command, recordings.sensor);
-    command->add_option ("--sync-channel", recordings.syncChannel,
-                         "Channel with the sync output, counted from 1; 0: none; default: the last channel");
-    command
-        ->add_option ("--reference-channel", recordings.referenceChannel,
-                      "Channel with the measured voltage of the amplifiers, counted from 1")
-        ->check (CLI::Range (1, 16383));
-    command
-        ->add_option ("--reference-full-scale", recordings.referenceFullScale,
-                      "Voltage at the ceramics for a reference sample of 1, V")
-        ->capture_default_str();
-    command->add_option ("--latency-ms", recordings.latency, "Latency of the sensors without a sync channel, ms")
-        ->check (CLI::Range (0.0, 200.0))
-        ->capture_default_str();
-    command->add_option ("--estimator", options->estimator, "Estimator for noise: h1, h2 or their geometric mean hv")
-        ->check (CLI::IsMember ({ "h1", "h2", "hv" }))
-        ->capture_default_str();
-    command->add_option ("--report", options->reportFolder, "Writes a report with figures into a folder")
-        ->type_name ("DIR");
-    std::vector<const CLI::Option*> ofExcitation;
+    auto* command = app.add_subcommand (frfText.name, frfText.summary);
+    auto request = std::make_shared<FrfRequest>();
+    auto file = std::make_shared<std::filesystem::path>(), reportFolder = std::make_shared<std::filesystem::path>();
+    auto all = fields (*request);
+    append (all,
+            { Field ("--out", file.get(), "Universal file to write").written ("FILE").required(),
+              Field ("--report", reportFolder.get(), "Writes a report with figures into a folder").written ("DIR") });
+    command->callback (
+        [command, request, file, reportFolder, read = addFields (*command, all)]
+        {
+            read();
+            refuseOtherKind (*command, *request);
+            const auto estimated = frf (*request, {});
 
-    for (const auto* const name : { "--sensitivity-mm-s-per-v", "--input-full-scale-v", "--sync-channel",
-                                    "--reference-channel", "--reference-full-scale", "--latency-ms" })
-        ofExcitation.push_back (command->get_option (name));
+            if (! reportFolder->empty())
+            {
+                OutputFolder folder (*reportFolder);
+                folder.write ("report.html", renderReport (frfReport (estimated)));
+                folder.commit();
+            }
 
-    addHammerRecordingOptions (*command, options->hammer);
-    command->callback ([options, ofExcitation] { estimate (*options, ofExcitation); });
+            writeWholeFile (*file, universalFile (estimated));
+            print (estimated, file->string());
+        });
 }
 } // namespace antinode

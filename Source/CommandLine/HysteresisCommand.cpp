@@ -1,8 +1,6 @@
 #include "Commands.h"
-#include "CommonOptions.h"
+#include "FieldOptions.h"
 #include "HysteresisFiles.h"
-
-#include <antinode_library/Inputs.h>
 
 #include <cstdio>
 #include <memory>
@@ -13,21 +11,15 @@ namespace
 {
 struct HysteresisOptions
 {
-    std::string device, folder = "antinode-hysteresis";
+    DeviceDescription device;
+    std::filesystem::path folder = "antinode-hysteresis";
     HysteresisFiles measured;
     bool usesCache = true;
 };
 
-void measureHysteresis (const HysteresisOptions& options)
+Field levelField (const char* option, double& level, const char* what)
 {
-    const auto measurement = hysteresisByFiles (loadDevice (options.device, {}), options.measured, options.usesCache);
-    writeHysteresis (options.folder, measurement);
-    printHysteresis (options.folder, measurement);
-}
-
-void addLevel (CLI::App& command, const std::string& name, double& level, const std::string& what)
-{
-    command.add_option (name, level, what)->required()->check (CLI::Range (1e-6, 1e6))->type_name ("FLOAT");
+    return Field (option, &level, what).required().within (1e-6, 1e6);
 }
 } // namespace
 
@@ -36,23 +28,28 @@ void addHysteresisCommand (CLI::App& app)
     auto* command = app.add_subcommand (
         "hysteresis", "Tells by responses at two levels how ceramics answer at high ones, and the device there");
     auto options = std::make_shared<HysteresisOptions>();
-    command->add_option ("device", options->device, "Device: an embedded name or a .json file")->required();
-    command
-        ->add_option ("--low", options->measured.low,
-                      "Frequency responses at a low level, as written by frf and measure (repeatable)")
-        ->required()
-        ->type_name ("FILE")
-        ->allow_extra_args (false);
-    command->add_option ("--high", options->measured.high, "The same lines and points at a high level (repeatable)")
-        ->required()
-        ->type_name ("FILE")
-        ->allow_extra_args (false);
-    addLevel (*command, "--low-level-v", options->measured.lowLevel, "Peak voltage of the low level, V");
-    addLevel (*command, "--high-level-v", options->measured.highLevel, "Peak voltage of the high level, V");
-    addLevel (*command, "--played-level-v", options->measured.playedLevel,
-              "Peak voltage that foci will play, V: what device.json is made for");
-    command->add_option ("--out", options->folder, "Output folder")->capture_default_str();
-    addCacheFlag (*command, options->usesCache);
-    command->callback ([options] { measureHysteresis (*options); });
+    auto& measured = options->measured;
+    const auto read = addFields (
+        *command, { Field ("device", &options->device, "Device: an embedded name or a .json file").required(),
+                    Field ("--low", &measured.low,
+                           "Frequency responses at a low level, as written by frf and measure (repeatable)")
+                        .required()
+                        .written ("FILE"),
+                    Field ("--high", &measured.high, "The same lines and points at a high level (repeatable)")
+                        .required()
+                        .written ("FILE"),
+                    levelField ("--low-level-v", measured.lowLevel, "Peak voltage of the low level, V"),
+                    levelField ("--high-level-v", measured.highLevel, "Peak voltage of the high level, V"),
+                    levelField ("--played-level-v", measured.playedLevel,
+                                "Peak voltage that foci will play, V: what device.json is made for"),
+                    Field ("--out", &options->folder, "Output folder"), cacheField (options->usesCache) });
+    command->callback (
+        [options, read]
+        {
+            read();
+            const auto measurement = hysteresisByFiles (options->device, options->measured, options->usesCache);
+            writeHysteresis (options->folder, measurement);
+            printHysteresis (options->folder.string(), measurement);
+        });
 }
 } // namespace antinode

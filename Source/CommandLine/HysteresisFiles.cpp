@@ -1,6 +1,6 @@
 #include "HysteresisFiles.h"
 
-#include "RetunedFiles.h"
+#include <antinode_tasks/Retune.h>
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>

@@ -1,11 +1,11 @@
 #include "Commands.h"
-#include "IdentifyFiles.h"
+#include "FieldOptions.h"
 #include "Progress.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
-#include <antinode_library/Inputs.h>
 #include <antinode_reports/IdentificationTables.h>
+#include <antinode_tasks/Identify.h>
 
 #include <cstdio>
 #include <memory>
@@ -32,34 +32,60 @@ void print (const IdentificationResult& result)
         std::printf ("Warning: %s\n", warning.c_str());
 }
 
-IdentificationResult identifyShowing (const IdentifyOptions& options)
+/** Beside the device file, where the option says none. */
+std::filesystem::path reportBeside (const IdentifyRequest& request, const std::filesystem::path& device)
 {
-    const auto against =
-        options.against.empty() ? std::optional<DeviceDescription>() : std::optional (loadDevice (options.against, {}));
-    Progress progress (options.isQuiet);
-    return identifyFiles (options, against,
-                          [&] (const std::string& what, double share) { progress.show (what, share); });
+    auto path = device.empty() ? std::filesystem::path (request.name) : device;
+    return path.replace_extension (".html");
 }
 
-void runIdentify (const IdentifyOptions& options, bool hasReport)
+struct IdentifyOptions
 {
-    if (! options.transferFile.empty() && options.against.empty())
-        throw InputError ("--transfer", "needs a computed device; allowed only with --against DEVICE");
-
-    const auto result = identifyShowing (options);
-    writeIdentified (result, options, hasReport);
-
-    if (! options.isQuiet)
-        print (result);
-}
+    IdentifyRequest request;
+    IdentifiedFiles files;
+    bool isQuiet = false;
+};
 } // namespace
 
 void addIdentifyCommand (CLI::App& app)
 {
     auto* command =
-        app.add_subcommand ("identify", "Finds the modes in measured frequency responses; writes a device file");
+        app.add_subcommand (identifyText.name, "Finds the modes in measured frequency responses; writes a device file");
     auto options = std::make_shared<IdentifyOptions>();
-    addIdentifyOptions (*command, *options);
-    command->callback ([options, command] { runIdentify (*options, command->count ("--report") > 0); });
+    auto& files = options->files;
+    auto all = fields (options->request);
+    append (
+        all,
+        { Field ("--out", &files.device, "Device file to write").written ("DEVICE.json"),
+          Field (
+              "--report", &files.report,
+              "Writes a report with figures and, beside it, a diagram to pick modes in a browser; default name: that "
+              "of the device file, .html")
+              .written ("FILE.html"),
+          Field ("--uff", &files.universalFile, "Writes frequencies and shapes as a Universal File").written ("FILE"),
+          Field ("--transfer", &files.transferred,
+                 "Writes the computed device with the measured frequencies, damping ratios and participations")
+              .written ("DEVICE.json"),
+          quietField (options->isQuiet) });
+    const auto read = addFields (*command, all);
+    auto* const report = command->get_option ("--report")->expected (0, 1);
+    command->callback (
+        [options, report, read]
+        {
+            read();
+
+            if (report->count() > 0 && options->files.report.empty())
+                options->files.report = reportBeside (options->request, options->files.device);
+
+            if (! options->files.transferred.empty() && ! options->request.against)
+                throw InputError ("--transfer", "needs a computed device; allowed only with --against DEVICE");
+
+            Progress progress (options->isQuiet);
+            const auto result = identify (options->request, progress.shown());
+            writeIdentified (result, options->files);
+
+            if (! options->isQuiet)
+                print (result);
+        });
 }
 } // namespace antinode

@@ -1,12 +1,12 @@
 #include "Commands.h"
-#include "CommonOptions.h"
+#include "FieldOptions.h"
 
 #include <antinode_base/NumberText.h>
 #include <antinode_documents/MatlabTables.h>
 #include <antinode_documents/ModeTable.h>
 #include <antinode_documents/UniversalModes.h>
 #include <antinode_identification/FrequencyDrift.h>
-#include <antinode_library/Inputs.h>
+#include <antinode_library/Library.h>
 #include <antinode_reports/ModesReport.h>
 #include <antinode_structure/DescribedModel.h>
 #include <antinode_structure/DeviceKind.h>
@@ -26,13 +26,10 @@ namespace
 {
 struct ModesOptions
 {
-    std::string device = "staple";
+    DeviceDescription device;
     std::optional<int> count;
-    std::vector<std::string> assignments;
-    std::string csvFile, matlabFile, universalFile;
-    bool usesCache = true;
-    bool isJson = false;
-    std::string reportFolder; ///< None if empty.
+    std::filesystem::path csvFile, matlabFile, universalFile, reportFolder; ///< None if empty.
+    bool usesCache = true, isJson = false;
 };
 
 nlohmann::ordered_json modesJson (const ModalModel& model, const std::string& kind, double milliseconds)
@@ -106,7 +103,7 @@ void printTable (const ModalModel& model)
         std::printf ("%s\n", warning.c_str());
 }
 
-void writeReport (const std::string& target, const ModalModel& model, const std::vector<PathPiece>& elastic)
+void writeReport (const std::filesystem::path& target, const ModalModel& model, const std::vector<PathPiece>& elastic)
 {
     OutputFolder folder (target);
     folder.write ("report.html", renderReport (modesReport (model, elastic)));
@@ -115,14 +112,12 @@ void writeReport (const std::string& target, const ModalModel& model, const std:
 
 void listModes (const ModesOptions& options)
 {
-    checkAssignments (options.assignments);
     const auto start = std::chrono::steady_clock::now();
-    const auto description = loadDevice (options.device, options.assignments);
-    const auto model = solveDevice (description, options.count, options.usesCache);
+    const auto model = solveDevice (options.device, options.count, options.usesCache);
     const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
 
     if (! options.reportFolder.empty())
-        writeReport (options.reportFolder, model, elasticPieces (description));
+        writeReport (options.reportFolder, model, elasticPieces (options.device));
 
     if (! options.csvFile.empty())
         writeWholeFile (options.csvFile, encodeModeTable (model));
@@ -134,7 +129,7 @@ void listModes (const ModesOptions& options)
         writeWholeFile (options.universalFile, encodeUniversalFile (modeSets (model)));
 
     if (options.isJson)
-        std::printf ("%s\n", modesJson (model, deviceKind (description), elapsed.count()).dump (2).c_str());
+        std::printf ("%s\n", modesJson (model, deviceKind (options.device), elapsed.count()).dump (2).c_str());
     else
         printTable (model);
 }
@@ -144,22 +139,22 @@ void addModesCommand (CLI::App& app)
 {
     auto* command = app.add_subcommand ("modes", "Lists the modes of a device");
     auto options = std::make_shared<ModesOptions>();
-    command->add_option ("device", options->device, "Device: an embedded name or a .json file")->capture_default_str();
-    command->add_option ("--count", options->count, "Number of flexible modes")->check (CLI::Range (1, 500));
-    command
-        ->add_option ("--set", options->assignments,
-                      "Overrides a key, for example device.thickness_mm=1.5 (repeatable)")
-        ->allow_extra_args (false)
-        ->type_name ("KEY=VALUE");
-    command->add_option ("--csv", options->csvFile, "Also writes the modes as CSV to a file")->type_name ("FILE");
-    command->add_option ("--mat", options->matlabFile, "Also writes modes and shapes as a MATLAB file")
-        ->type_name ("FILE");
-    command->add_option ("--uff", options->universalFile, "Also writes frequencies and shapes as a Universal File")
-        ->type_name ("FILE");
-    addCacheFlag (*command, options->usesCache);
-    command->add_flag ("--json", options->isJson, "Writes JSON to standard output");
-    command->add_option ("--report", options->reportFolder, "Writes a report with figures of the modes into a folder")
-        ->type_name ("DIR");
-    command->callback ([options] { listModes (*options); });
+    const auto read = addFields (
+        *command,
+        { Field ("device", &options->device, "Device: an embedded name or a .json file").usually ("staple"),
+          Field ("--count", &options->count, "Number of flexible modes").within (1, 500).by ("as the device says"),
+          Field ("--csv", &options->csvFile, "Also writes the modes as CSV to a file").written ("FILE"),
+          Field ("--mat", &options->matlabFile, "Also writes modes and shapes as a MATLAB file").written ("FILE"),
+          Field ("--uff", &options->universalFile, "Also writes frequencies and shapes as a Universal File")
+              .written ("FILE"),
+          cacheField (options->usesCache), Field ("--json", &options->isJson, "Writes JSON to standard output"),
+          Field ("--report", &options->reportFolder, "Writes a report with figures of the modes into a folder")
+              .written ("DIR") });
+    command->callback (
+        [options, read]
+        {
+            read();
+            listModes (*options);
+        });
 }
 } // namespace antinode

@@ -1,6 +1,5 @@
 #include "Commands.h"
-#include "PlaceInputs.h"
-#include "PlaceOutcome.h"
+#include "FieldOptions.h"
 #include "Progress.h"
 
 #include <antinode_audio/Interruption.h>
@@ -9,9 +8,9 @@
 #include <antinode_base/Prefixes.h>
 #include <antinode_base/Watch.h>
 #include <antinode_documents/ChangedDevice.h>
-#include <antinode_library/Inputs.h>
 #include <antinode_structure/CeramicShapes.h>
-#include <antinode_structure/Placing.h>
+#include <antinode_tasks/Place.h>
+#include <antinode_tasks/PlaceOutcome.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>
@@ -25,12 +24,20 @@ namespace antinode
 {
 namespace
 {
+struct PlaceOptions
+{
+    PlaceRequest request;
+    std::filesystem::path file;
+    std::vector<int> counts;
+    bool isQuiet = false;
+};
+
 void printResult (const PlacedCeramics& placed, const PlaceOptions& options)
 {
     Eigen::Index worst = 0;
     placed.perMode.minCoeff (&worst);
     std::printf ("%zu ceramics in the best of %td positions for %d modes\n", placed.ceramics.size(), placed.candidates,
-                 options.modes);
+                 options.request.modes);
     std::printf ("  The worst combination of modes is moved %.4g times as well as from average positions;\n"
                  "  the worst single mode, %td, %.4g times.\n",
                  placed.controllability, worst + 1, placed.perMode[worst]);
@@ -48,16 +55,6 @@ void printResult (const PlacedCeramics& placed, const PlaceOptions& options)
                          ceramic.sizeY * milli);
 
     std::printf ("Device: %s\n", options.file.c_str());
-}
-
-std::vector<FocusDescription> loadFocuses (const PlaceOptions& options)
-{
-    std::vector<FocusDescription> focuses;
-
-    for (const auto& name : options.focuses)
-        focuses.push_back (loadFocus (name, options.assignments));
-
-    return focuses;
 }
 
 void printOutcomes (const ModalModel& model, const std::vector<FocusDescription>& focuses)
@@ -86,27 +83,33 @@ void printRow (const DeviceDescription& device, const std::vector<CeramicDescrip
     std::fflush (stdout);
 }
 
-using KeepPlaces = std::function<void (const std::vector<CeramicDescription>&)>;
+void write (const PlaceOptions& options, const std::vector<CeramicDescription>& ceramics)
+{
+    writeWholeFile (options.file, deviceText (placedDevice (options.request, ceramics)));
+}
 
 /** Where the user interrupts, the best places so far are kept. @throws Cancelled  then */
-PlacedCeramics placedOrBest (const DeviceDescription& device, const CeramicDescription& like, PlacingOptions placing,
-                             const PlaceOptions& options, const std::string& what, const KeepPlaces& keep)
+PlacedCeramics placedOrBest (const PlaceOptions& options)
 {
     std::vector<CeramicDescription> best;
-    placing.better = [&] (const std::vector<CeramicDescription>& ceramics) { best = ceramics; };
 
     try
     {
         Progress progress (options.isQuiet);
-        progress.show (what, 0);
-        return placeCeramics (device, like, placing, [&] (double share) { progress.show (what, share); });
+        return placed (
+            options.request, [&] (const std::vector<CeramicDescription>& ceramics) { best = ceramics; },
+            progress.shown());
     }
     catch (const Cancelled&)
     {
         if (! best.empty())
         {
             answerInterruption();
-            keep (best);
+            write (options, best);
+
+            if (! options.counts.empty())
+                printRow (options.request.device, best, options.request.focuses, "  the best so far");
+
             std::fprintf (stderr, "The best places so far are in %s\n", options.file.c_str());
         }
 
@@ -115,106 +118,63 @@ PlacedCeramics placedOrBest (const DeviceDescription& device, const CeramicDescr
 }
 
 /** What each number of ceramics comes to. */
-void printCurve (const DeviceDescription& device, const CeramicDescription& like, PlacingOptions placing,
-                 const std::vector<FocusDescription>& focuses, const PlaceOptions& options, const KeepPlaces& write)
+void printCurve (PlaceOptions options)
 {
+    const auto& focuses = options.request.focuses;
+
+    if (focuses.empty())
+        throw InputError ("--counts", "needs --focus: it compares what focuses come to with each number of ceramics");
+
     std::printf ("ceramics  peak voltage  field error  contrast  (the worst of %zu focuses)\n", focuses.size());
     std::fflush (stdout);
-    const auto keep = [&] (const std::vector<CeramicDescription>& ceramics)
-    {
-        write (ceramics);
-        printRow (device, ceramics, focuses, "  the best so far");
-    };
 
     for (const auto count : options.counts)
     {
-        placing.count = count;
-        const auto placed =
-            placedOrBest (device, like, placing, options, "Placing " + std::to_string (count) + " ceramics", keep);
-        printRow (device, placed.ceramics, focuses);
+        options.request.count = count;
+        printRow (options.request.device, placedOrBest (options).ceramics, focuses);
     }
 }
 
-void place (PlaceOptions options)
+void runPlace (PlaceOptions& options)
 {
-    checkAssignments (options.assignments);
-    const auto document = loadDeviceDocument (options.device, options.assignments);
-    const auto device = loadDevice (options.device, options.assignments);
-    const auto isPlate = deviceExtent (device).kind == SurfaceKind::plate;
-    const auto like = ceramicLike (document, isPlate, options.size);
-    const auto ceramic = describedCeramic (document, like);
-    const auto focuses = loadFocuses (options);
-    auto placing = placingOptions (options, ceramic);
-
-    if (! focuses.empty())
-        placing.cost = peakVoltageCost (device, focuses);
-    else if (! options.counts.empty())
-        throw InputError ("--counts", "needs --focus: it compares what focuses come to with each number of ceramics");
+    const auto& request = options.request;
 
     if (options.file.empty())
-        options.file = device.name + "-placed.json";
-
-    const auto write = [&] (const std::vector<CeramicDescription>& ceramics)
-    { writeWholeFile (options.file, deviceText (placedDevice (document, like, ceramics))); };
+        options.file = request.device.name + "-placed.json";
 
     if (! options.counts.empty())
-        return printCurve (device, ceramic, placing, focuses, options, write);
+        return printCurve (options);
 
-    const auto placed = placedOrBest (device, ceramic, placing, options, "Placing ceramics", write);
-    write (placed.ceramics);
+    const auto found = placedOrBest (options);
+    write (options, found.ceramics);
 
     if (options.isQuiet)
         return;
 
-    printResult (placed, options);
+    printResult (found, options);
 
-    if (! focuses.empty())
-        printOutcomes (solveStructure (withCeramics (device, placed.ceramics)), focuses);
+    if (! request.focuses.empty())
+        printOutcomes (solveStructure (withCeramics (request.device, found.ceramics)), request.focuses);
 }
 } // namespace
 
 void addPlaceCommand (CLI::App& app)
 {
     auto* command = app.add_subcommand (
-        "place", "Finds the best positions of ceramics on a device for its lowest modes; writes a device file");
+        placeText.name, "Finds the best positions of ceramics on a device for its lowest modes; writes a device file");
     auto options = std::make_shared<PlaceOptions>();
-    command->add_option ("device", options->device, "Device: an embedded name or a .json file")->capture_default_str();
-    command->add_option ("--count", options->count, "Number of ceramics")
-        ->check (CLI::Range (1, 64))
-        ->capture_default_str();
-    command->add_option ("--size-mm", options->size,
-                         "Size L or LxW of a ceramic, mm; default: that of the device's first ceramic, or 10");
-    command->add_option ("--step-mm", options->step, "Spacing of positions, mm; default: half a ceramic");
-    command->add_option ("--rim-mm", options->edgeDistance, "On a plate: largest distance of ceramics from an edge, mm")
-        ->check (CLI::NonNegativeNumber);
-    command->add_option ("--free-edge-mm", options->freeEdge, "Least distance of ceramics from free edges, mm")
-        ->check (CLI::Range (0.0, 1000.0))
-        ->capture_default_str();
-    command
-        ->add_option ("--focus", options->focuses,
-                      "Places for the voltage that this focus needs, an embedded name or a .json file (repeatable)")
-        ->allow_extra_args (false);
-    command
-        ->add_option ("--counts", options->counts,
-                      "With --focus: prints what each of these numbers of ceramics comes to")
-        ->delimiter (',')
-        ->check (CLI::Range (1, 64));
-    command->add_option ("--keep-out-mm", options->keepOut, "Rectangle without ceramics, mm (repeatable)")
-        ->allow_extra_args (false)
-        ->type_name ("X0,Y0,X1,Y1");
-    command->add_option ("--modes", options->modes, "Number of the lowest modes to excite")
-        ->check (CLI::Range (1, 200))
-        ->capture_default_str();
-    command->add_option ("--focus-time-ms", options->duration, "Time available to excite the modes, ms; default: 25")
-        ->check (CLI::Range (0.1, 60000.0));
-    command->add_option ("--out", options->file, "Device file to write; default: DEVICE-placed.json");
-    command->add_flag ("--frozen", options->isFrozen, "Does not solve the device again with the placed ceramics");
-    command
-        ->add_option ("--set", options->assignments,
-                      "Overrides a key, for example device.thickness_mm=1.5 (repeatable)")
-        ->allow_extra_args (false)
-        ->type_name ("KEY=VALUE");
-    command->add_flag ("--quiet", options->isQuiet, "Prints only errors");
-    command->callback ([options] { place (*options); });
+    auto all = fields (options->request);
+    append (all, { Field ("--counts", &options->counts,
+                          "With --focus: prints what each of these numbers of ceramics comes to")
+                       .written ("N", ',')
+                       .within (1, 64),
+                   Field ("--out", &options->file, "Device file to write").by ("DEVICE-placed.json"),
+                   quietField (options->isQuiet) });
+    command->callback (
+        [options, read = addFields (*command, all)]
+        {
+            read();
+            runPlace (*options);
+        });
 }
 } // namespace antinode

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <antinode_base/ShowProgress.h>
 #include <antinode_base/TimeLeft.h>
 
 #include <chrono>
@@ -25,6 +26,12 @@ public:
         @param detail  more words, for example "12 of 46"; may be empty
         [worker] from one thread at a time */
     void show (const std::string& what, double share, const std::string& detail = {});
+
+    /** show() as a function, which must not outlive it. */
+    ShowProgress shown()
+    {
+        return [this] (const std::string& what, double share) { show (what, share); };
+    }
 
 private:
     bool isOn;

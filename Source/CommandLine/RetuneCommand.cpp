@@ -1,9 +1,8 @@
 #include "Commands.h"
-#include "CommonOptions.h"
-#include "RetunedFiles.h"
+#include "FieldOptions.h"
 
-#include <antinode_library/Inputs.h>
 #include <antinode_numerics/Median.h>
+#include <antinode_tasks/Retune.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <cstdio>
@@ -13,14 +12,6 @@ namespace antinode
 {
 namespace
 {
-struct RetuneOptions
-{
-    std::string device, outputFile;
-    std::vector<std::string> files;
-    RetuneDeviations deviations;
-    bool usesCache = true;
-};
-
 /** Of responses that are not the device's, and of points that fit it much worse than the others: elsewhere, turned
    over, or loose. */
 void warnOfMisfit (const RetunedModel& retuned)
@@ -61,45 +52,27 @@ void print (const ModalModel& before, const RetunedModel& retuned)
                      percent * retuned.participationScales[i]);
 }
 
-void addDeviationOptions (CLI::App& command, RetuneDeviations& deviations)
-{
-    const auto add = [&] (const char* name, double& value, const char* text)
-    { command.add_option (name, value, text)->check (CLI::Range (0.01, 50.0))->capture_default_str(); };
-    add ("--frequency-percent", deviations.frequency, "Standard deviation of each frequency from the device, %");
-    add ("--drift-percent", deviations.drift, "Standard deviation of the factor that all frequencies share, %");
-    add ("--damping-percent", deviations.damping, "Standard deviation of each damping ratio, %");
-    add ("--participation-percent", deviations.participation,
-         "Standard deviation of each participation, beside a factor of each ceramic, %");
-    command.add_option ("--place-mm", deviations.place, "Standard deviation of each point's place along x and y, mm")
-        ->check (CLI::Range (0.0, 50.0))
-        ->capture_default_str();
-}
-
-void retuneDevice (const RetuneOptions& options)
-{
-    const auto retuned =
-        retuneByFiles (loadDevice (options.device, {}), options.files, options.deviations, options.usesCache);
-    writeWholeFile (options.outputFile, retunedDeviceText (retuned));
-    print (retuned.before, retuned.now);
-
-    for (const auto& remark : retuned.remarks)
-        std::printf ("  note: %s\n", remark.c_str());
-
-    warnOfMisfit (retuned.now);
-}
 } // namespace
 
 void addRetuneCommand (CLI::App& app)
 {
-    auto* command = app.add_subcommand ("retune", "Updates a drifted device from the responses of a few points");
-    auto options = std::make_shared<RetuneOptions>();
-    command->add_option ("device", options->device, "Device before the drift: an embedded name or a .json file")
-        ->required();
-    command->add_option ("files", options->files, "Frequency responses of a few points, as written by frf and measure")
-        ->required();
-    command->add_option ("--out", options->outputFile, "Device file to write")->required()->type_name ("DEVICE.json");
-    addDeviationOptions (*command, options->deviations);
-    addCacheFlag (*command, options->usesCache);
-    command->callback ([options] { retuneDevice (*options); });
+    auto* command = app.add_subcommand (retuneText.name, retuneText.summary);
+    auto request = std::make_shared<RetuneRequest>();
+    auto file = std::make_shared<std::filesystem::path>();
+    auto options = fields (*request);
+    options.push_back (Field ("--out", file.get(), "Device file to write").written ("DEVICE.json").required());
+    command->callback (
+        [request, file, read = addFields (*command, options)]
+        {
+            read();
+            const auto retuned = retune (*request, {});
+            writeWholeFile (*file, retunedDeviceText (retuned));
+            print (retuned.before, retuned.now);
+
+            for (const auto& remark : retuned.remarks)
+                std::printf ("  note: %s\n", remark.c_str());
+
+            warnOfMisfit (retuned.now);
+        });
 }
 } // namespace antinode

@@ -1,8 +1,7 @@
 #include "Commands.h"
-#include "CommonOptions.h"
+#include "FieldOptions.h"
 #include "Progress.h"
 #include "SlurmArray.h"
-#include "SweptFiles.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
@@ -11,6 +10,7 @@
 #include <antinode_sweep/SweepCases.h>
 #include <antinode_sweep/SweepFolder.h>
 #include <antinode_sweep/SweepSummary.h>
+#include <antinode_tasks/SweptFiles.h>
 
 #include <cmath>
 #include <cstdio>
@@ -24,7 +24,7 @@ namespace
 struct SweepOptions
 {
     std::string plan, folder = "antinode-out", shard, merged;
-    std::optional<std::uint64_t> single;
+    std::optional<int> single;
     std::optional<std::string> slurm; // options of sbatch
     int threads = 0;                  // 0: all
     int tasks = 16;                   // of a Slurm array
@@ -53,7 +53,7 @@ void merge (const SweepOptions& options)
 void printCase (const SweepOptions& options)
 {
     const auto inputs = loadSweep (options.plan);
-    const auto number = *options.single;
+    const auto number = static_cast<std::uint64_t> (*options.single);
 
     if (number >= inputs.plan.cases)
         throw InputError ("--case", "is " + std::to_string (number) + "; allowed: 0 to "
@@ -144,34 +144,35 @@ void addSweepCommand (CLI::App& app)
     auto* command = app.add_subcommand (
         "sweep", "Computes many cases of a plan: tables and statistics; resumable, also in shards on many computers");
     auto options = std::make_shared<SweepOptions>();
-    auto* plan = command->add_option ("plan", options->plan, "Plan: a .json file");
-    auto* out =
-        command->add_option ("--out", options->folder, "Folder of the parts and results")->capture_default_str();
-    auto* shard = command->add_option ("--shard", options->shard,
-                                       "I/N: computes only every Nth part, from the Ith on, and does not merge");
-    shard->type_name ("I/N");
-    command->add_option ("--merge", options->merged, "Merges the parts of all shards in this folder")
-        ->type_name ("DIR")
-        ->excludes (plan)
-        ->excludes (out)
-        ->excludes (shard);
-    command->add_option ("--case", options->single, "Computes one case alone and prints it, from 0")
-        ->type_name ("N")
-        ->excludes (out)
-        ->excludes (shard);
-    command->add_option ("--threads", options->threads, "Cases at once; default: one per processor")
-        ->check (CLI::Range (1, 1024))
-        ->type_name ("INT");
-    auto* slurm = command->add_option ("--slurm", options->slurm,
-                                       "Submits an array to Slurm with these options of sbatch, waits and merges, for "
-                                       "example --slurm='--partition=long'");
-    slurm->type_name ("OPTIONS")->expected (0, 1)->excludes (shard);
-    command->add_option ("--tasks", options->tasks, "Tasks of the Slurm array")
-        ->needs (slurm)
-        ->check (CLI::Range (1, 10000))
-        ->capture_default_str();
-    addCacheFlag (*command, options->usesCache);
-    command->add_flag ("--quiet", options->isQuiet, "Prints only errors");
-    command->callback ([options] { sweepPlan (*options); });
+    const auto read = addFields (
+        *command,
+        { Field ("plan", &options->plan, "Plan: a .json file"),
+          Field ("--out", &options->folder, "Folder of the parts and results"),
+          Field ("--shard", &options->shard, "I/N: computes only every Nth part, from the Ith on, and does not merge")
+              .written ("I/N"),
+          Field ("--merge", &options->merged, "Merges the parts of all shards in this folder")
+              .written ("DIR")
+              .without ("plan")
+              .without ("--out")
+              .without ("--shard"),
+          Field ("--case", &options->single, "Computes one case alone and prints it, from 0")
+              .written ("N")
+              .without ("--out")
+              .without ("--shard"),
+          Field ("--threads", &options->threads, "Cases at once").within (1, 1024).by ("one per processor"),
+          Field ("--slurm", &options->slurm,
+                 "Submits an array to Slurm with these options of sbatch, waits and merges, for example "
+                 "--slurm='--partition=long'")
+              .written ("OPTIONS")
+              .without ("--shard"),
+          Field ("--tasks", &options->tasks, "Tasks of the Slurm array").within (1, 10000).with ("--slurm"),
+          cacheField (options->usesCache), quietField (options->isQuiet) });
+    command->get_option ("--slurm")->expected (0, 1);
+    command->callback (
+        [options, read]
+        {
+            read();
+            sweepPlan (*options);
+        });
 }
 } // namespace antinode

@@ -1,64 +1,33 @@
-#include "ArrayViews.h"
 #include "Bindings.h"
-#include "Pictures.h"
-#include "Values.h"
-#include "Work.h"
+#include "Keywords.h"
+#include "ResultClass.h"
 
-#include <CommandLine/FocusOnDevice.h>
-#include <antinode_base/InputError.h>
-#include <antinode_base/MessageText.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_charts/FocusCharts.h>
 #include <antinode_documents/DesignFile.h>
+#include <antinode_documents/ToleranceFile.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/Prediction.h>
-#include <antinode_library/Library.h>
-#include <antinode_library/SkinThresholds.h>
+#include <antinode_render/Summary.h>
+#include <antinode_reports/ToleranceReport.h>
+#include <antinode_tasks/Render.h>
+#include <antinode_tasks/Tolerance.h>
+#include <antinode_tasks/Tradeoffs.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>
 
-#include <pybind11/stl.h>
+#include <algorithm>
 
 namespace antinode
 {
 namespace
 {
 namespace py = pybind11;
+using Path = std::filesystem::path;
 
-using Design = std::shared_ptr<DesignValue>;
-
-/** The steps of `antinode design`, in its order. */
-DesignValue makeDesign (const FocusValue& focus, const DeviceValue& device, const DesignSettings& settings)
-{
-    const auto wanted = focusWith (focus, settings);
-    const auto playback = playbackOf (settings);
-    const auto known = solveDevice (device.description, {}, settings.usesCache);
-    checkKindOfPlaces (known, wanted);
-    const auto wide = wideOf (device.description, known, playback, settings.usesCache);
-    return { designOn (device.description, wide, wanted, playback, settings.usesCache), playback, settings.repetitions,
-             settings.thresholdFile };
-}
-
-Design design (const FocusValue& focus, const DeviceValue& device, const DesignSettings& settings, py::object progress)
-{
-    Work work (std::move (progress));
-    return work.run ([&] { return std::make_shared<DesignValue> (makeDesign (focus, device, settings)); });
-}
-
-void saveDesign (const DesignValue& design, const std::string& path)
-{
-    OutputFolder folder (path);
-    folder.write ("design.json", designText (design));
-    folder.commit();
-}
-
-/** design.json without the power, which takes a render. */
-std::string designNumbers (const DesignValue& design)
-{
-    const auto& wide = design.made.wide;
-    return designToJson (design.made.design, designedModel (wide)).dump();
-}
-
-py::list oscillations (const DesignValue& design)
+py::list oscillations (const DesignedFocus& design)
 {
     using namespace py::literals;
     py::list all;
@@ -71,101 +40,337 @@ py::list oscillations (const DesignValue& design)
     return all;
 }
 
-py::object samples (const py::object& self)
-{
-    const auto& held = self.cast<const DesignValue&>().made.design.program.samples;
-    return held ? py::object (viewOf (held->values, self)) : py::none();
-}
-
 /** The field at the (first) focus by the closed form: N_p, m/s. */
-Eigen::VectorXd predictedField (const WideDesign& made)
+Eigen::VectorXd predictedField (const DesignedFocus& design)
 {
-    const auto& model = made.wide.model;
-    const auto states = predictStates (model, made.design.program, made.design.moments.front().time);
-    return model.shapes * modalVelocities (model, states);
+    const auto& [wide, made] = design.made;
+    const auto states = predictStates (wide.model, made.program, made.moments.front().time);
+    return wide.model.shapes * modalVelocities (wide.model, states);
 }
 
-py::bytes designPicture (const DesignValue& value, const PictureStyle& style)
+std::string designText (const DesignedFocus& design)
 {
-    const auto& made = value.made;
-    return Work (py::none())
-        .run ([&] { return fieldPicture (made.wide.model, made.design, predictedField (made), style); });
+    return designFileText (design, designedPower (design));
 }
 
-void bindArrays (py::class_<DesignValue, Design>& bound)
+bool isPlate (const ModalModel& model)
 {
-    bound.def_property_readonly (
-        "allocation_V",
-        viewProperty<DesignValue> ([] (const DesignValue& value) { return &value.made.design.program.allocation; }));
-    bound.def_property_readonly (
-        "voltage_limits_V",
-        viewProperty<DesignValue> ([] (const DesignValue& value) { return &value.made.design.program.voltageLimits; }));
-    bound.def_property_readonly (
-        "wanted_field_m_s",
-        viewProperty<DesignValue> ([] (const DesignValue& value) { return &value.made.design.target.field; }));
-    bound.def_property_readonly (
-        "represented_field_m_s",
-        viewProperty<DesignValue> ([] (const DesignValue& value) { return &value.made.design.truncatedField; }));
-    bound.def_property_readonly (
-        "points_m",
-        viewProperty<DesignValue> ([] (const DesignValue& value) { return &value.made.wide.model.surface.points; }));
-    bound.def ("predicted_field_m_s", [] (const DesignValue& self)
-               { return arrayOf (Work (py::none()).run ([&] { return predictedField (self.made); })); });
-    bound.def_property_readonly ("samples_V", &samples);
-    bound.def_property_readonly ("oscillations", &oscillations);
+    return model.surface.kind == SurfaceKind::plate;
+}
+
+/** Fields over the surface by `plot_values`: names and members of the value, m/s. */
+auto plotsFields (std::vector<std::pair<const char*, const char*>> fields)
+{
+    return [fields = std::move (fields)] (const py::object& self, const ModalModel& model, const FocusDesign& design)
+    {
+        py::dict values;
+
+        for (const auto& [name, member] : fields)
+            values[name] = self.attr (member).attr ("__mul__") (milli);
+
+        return plotBy ("plot_values") (isPlate (model), self.attr ("points_m"), values,
+                                       design.description.name + " on " + model.name, "mm/s");
+    };
+}
+
+void bindDesigned (py::module_& module)
+{
+    using Value = DesignedFocus;
+    constexpr const char* about = "The voltages of a focus, not yet played: N_d drives, N_b ceramics, N_p points. Made "
+                                  "by :func:`antinode.design`.\n\n"
+                                  "Arrays are read-only views of the memory of the design, which they keep alive.";
+    const auto plot = plotsFields ({ { "wanted", "wanted_field_m_s" },
+                                     { "represented", "represented_field_m_s" },
+                                     { "predicted", "predicted_field_m_s" } });
+    const auto document = [] (const Value& value)
+    { return designToJson (value.made.design, designedModel (value.made.wide)); };
+    ResultClass<Value> (module, "Design", about)
+        .isShownAs (
+            [] (const Value& value)
+            {
+                return "Design '" + value.made.design.description.name + "' on '" + value.made.wide.model.name
+                       + "': " + inWords (peakVoltage (value.made.design)) + " V";
+            })
+        .has ("device", "The name of the device.", [] (const Value& value) { return value.made.wide.model.name; })
+        .has ("focus", "The name of the focus.", [] (const Value& value) { return value.made.design.description.name; })
+        .has ("peak_voltage_V", "The largest voltage of any ceramic, V.",
+              [] (const Value& value) { return peakVoltage (value.made.design); })
+        .has ("allocation_V", "N_b x N_d: ``U_i(t) = sum_l allocation_V[i, l] value_l(t)``, V. A view.",
+              [] (const Value& value) -> const Eigen::MatrixXd& { return value.made.design.program.allocation; })
+        .has ("oscillations",
+              "N_d drives: mode (from 0), start_s, end_s, growth_per_s, angular_frequency_rad_s, in_phase, "
+              "quadrature.\n\n"
+              "With tau = t - start_s, for start_s <= t < end_s, else 0:\n"
+              "``exp(growth tau) (in_phase sin(angular_frequency tau) + quadrature cos(angular_frequency tau))``.",
+              &oscillations, "list[dict[str, float]]")
+        .has ("voltage_limits_V", "N_b: the limit of each ceramic, V. A view.",
+              [] (const Value& value) -> const Eigen::VectorXd& { return value.made.design.program.voltageLimits; })
+        .has ("points_m", "N_p x 2: x and y of the points of the surface, m. A view.",
+              [] (const Value& value) -> const Eigen::MatrixX2d& { return value.made.wide.model.surface.points; })
+        .has ("wanted_field_m_s", "N_p: the wanted velocity at the (first) focus, m/s. A view.",
+              [] (const Value& value) -> const Eigen::VectorXd& { return value.made.design.target.field; })
+        .has ("represented_field_m_s", "N_p: its part that the controlled modes represent, m/s. A view.",
+              [] (const Value& value) -> const Eigen::VectorXd& { return value.made.design.truncatedField; })
+        .has ("predicted_field_m_s", "N_p: what the voltages do by the closed form, m/s (Docs/Theory.md, section 3.1).",
+              [] (const Value& value) { return Work (py::none()).run ([&] { return predictedField (value); }); })
+        .has ("certificate",
+              "How near the allocation is to the optimum: status, gap, bound, peak_ratio and more, as in "
+              "``design.json``.",
+              [document] (const Value& value) { return Json { document (value)["certificate"].dump() }; })
+        .has ("numbers",
+              "All of ``design.json`` but its power: choices with reasons, warnings, controlled modes, lower bound.",
+              [document] (const Value& value) { return Json { document (value).dump() }; })
+        .does ("to_dict(self) -> dict[str, Any]",
+               "All of ``design.json``, with the electrical power, which takes a render.",
+               [] (const Value& value)
+               { return toPython (Json { Work (py::none()).run ([&] { return designText (value); }) }); })
+        .saves ("folder", "Writes ``design.json``, the same bytes as ``antinode design --out``.",
+                [] (const Value& value, const Path& path)
+                {
+                    OutputFolder folder (path);
+                    folder.write ("design.json", designText (value));
+                    folder.commit();
+                })
+        .draws ("png", pictureHelp, &designPicture)
+        .does ("plot(self) -> Any", "Wanted, represented and predicted field as a Matplotlib figure.",
+               [plot] (const py::object& self)
+               {
+                   const auto& value = self.cast<const Value&>();
+                   return plot (self, value.made.wide.model, value.made.design);
+               })
+        .bound.def_property_readonly (
+            "samples_V",
+            [] (const py::object& self)
+            {
+                const auto& held = self.cast<const Value&>().made.design.program.samples;
+                return held ? py::object (viewOf (held->values, self)) : py::none();
+            },
+            "N_b x N_s: the samples of a free waveform, V; None where there are none. A view.");
+    keepStub ("    @property\n    def samples_V(self) -> Optional[Floats]: ...\n");
+    bindTask<FocusRequest> (module, "design", designTask, "Design", &design);
+}
+
+/** N_probes x 2, mm */
+Eigen::MatrixX2d probesInMillimetres (const RenderedDesign& value)
+{
+    const auto& probes = value.focus.probes;
+    Eigen::MatrixX2d places (static_cast<Eigen::Index> (probes.size()), 2);
+
+    for (std::size_t i = 0; i < probes.size(); ++i)
+        places.row (static_cast<Eigen::Index> (i)) << probes[i].first * milli, probes[i].second * milli;
+
+    return places;
+}
+
+std::string voltagesPicture (const RenderedDesign& value, const PictureStyle& style)
+{
+    constexpr int heightPerCeramic = 44, heightOfAxes = 110; // pixels
+    const auto& focus = value.focus;
+    const auto height = heightOfAxes + heightPerCeramic * static_cast<int> (focus.render.voltages.rows());
+    return picture (voltagesChart (focus.model, focus.design.program, focus.render), style, height);
+}
+
+void bindRendered (py::module_& module)
+{
+    using Value = RenderedDesign;
+    constexpr const char* about = "A focus as the plate model played it: N_b ceramics, N_s samples, N_p points. Made "
+                                  "by :func:`antinode.render`.\n\n"
+                                  "Arrays are read-only views of the memory of the render, which they keep alive.";
+    const auto plot = plotsFields ({ { "wanted", "wanted_field_m_s" },
+                                     { "represented", "represented_field_m_s" },
+                                     { "reached", "reached_field_m_s" } });
+    ResultClass<Value> (module, "Rendered", about)
+        .isShownAs (
+            [] (const Value& value)
+            { return "Rendered '" + value.focus.design.description.name + "' on '" + value.focus.model.name + "'"; })
+        .has (
+            "design", "The design that was played.",
+            [] (const Value& value) { return std::const_pointer_cast<DesignedFocus> (value.design); }, "Design")
+        .has ("scores", "All numbers of ``summary.json``: v_score, field_error, contrast, felt, power and more.",
+              [] (const Value& value) { return Json { summaryToJson (value.focus, value.outcome).dump() }; })
+        .has ("sample_rate_Hz", "Hz.", [] (const Value& value) { return value.focus.render.sampleRate; })
+        .has ("focus_sample", "The sample (from 0) of the first focus.",
+              [] (const Value& value) { return value.focus.render.focusSample; })
+        .has ("times_s", "N_s: the times of the samples from the trigger, s.",
+              [] (const Value& value)
+              {
+                  const auto& render = value.focus.render;
+                  const auto count = render.voltages.cols();
+                  return Eigen::VectorXd (Eigen::VectorXd::LinSpaced (count, 0, static_cast<double> (count - 1))
+                                          / render.sampleRate);
+              })
+        .has ("voltages_V", "N_b x N_s: the voltages that ceramics act on, after the limiter, V. A view.",
+              [] (const Value& value) -> const Eigen::MatrixXd& { return value.focus.render.voltages; })
+        .has ("output_voltages_V",
+              "N_b x N_s: the voltages to play, V: the same, with lags of ceramics undone where the device has any. A "
+              "view.",
+              [] (const Value& value) -> const Eigen::MatrixXd& { return outputVoltages (value.focus); })
+        .has ("probes_mm", "N_probes x 2: x and y of the probes, mm.", &probesInMillimetres)
+        .has ("probe_velocities_m_s", "N_probes x N_s: the velocity of the surface at the probes, m/s. A view.",
+              [] (const Value& value) -> const Eigen::MatrixXd& { return value.focus.render.probeVelocities; })
+        .has ("modal_velocities", "Modes x N_s, m/s kg^1/2; of complex modes the imaginary parts lie behind. A view.",
+              [] (const Value& value) -> const Eigen::MatrixXd& { return value.focus.render.modalVelocities; })
+        .has ("points_m", "N_p x 2: x and y of the points of the surface, m. A view.",
+              [] (const Value& value) -> const Eigen::MatrixX2d& { return value.focus.model.surface.points; })
+        .has ("wanted_field_m_s", "N_p: the wanted velocity at the (first) focus, m/s. A view.",
+              [] (const Value& value) -> const Eigen::VectorXd& { return value.focus.design.target.field; })
+        .has ("represented_field_m_s", "N_p: its part that the controlled modes represent, m/s. A view.",
+              [] (const Value& value) -> const Eigen::VectorXd& { return value.focus.design.truncatedField; })
+        .has ("reached_field_m_s", "N_p: the velocity that the plate model reached, m/s. A view.",
+              [] (const Value& value) -> const Eigen::VectorXd& { return value.focus.reachedField; })
+        .does (
+            "save(self, folder: Folder, *, format: str = 'wav', report: bool = True, figures: Sequence[str] = ()) -> "
+            "None",
+            "Writes the folder of ``antinode render``, the same bytes.\n\nArgs:\n"
+            "    folder: made where it is missing.\n"
+            "    format: of the voltages: 'wav', 'csv', 'mat', 'tfw'.\n"
+            "    report: whether ``report.html`` is written.\n"
+            "    figures: 'svg', 'pdf': the figures of the report for print.\n\n"
+            "Raises:\n    InputError: the folder cannot be written, or a format cannot hold the samples.",
+            [] (const Value& value, const Path& folder, const std::string& format, bool hasReport,
+                const std::vector<std::string>& figures) {
+                workAway ([&] { writeRendered (folder, value.focus, value.outcome, { format, hasReport, figures }); });
+            },
+            py::arg ("folder"), py::kw_only(), py::arg ("format") = "wav", py::arg ("report") = true,
+            py::arg ("figures") = py::tuple())
+        .draws ("png", pictureHelp,
+                [] (const Value& value, const PictureStyle& style)
+                {
+                    const auto& focus = value.focus;
+                    return fieldPicture (focus.model, focus.design, focus.reachedField, style);
+                })
+        .draws ("voltages_png", "The voltages of all ceramics as the bytes of a PNG file. Args: as :meth:`png`.",
+                &voltagesPicture)
+        .does ("plot(self) -> Any", "Wanted, represented and reached field as a Matplotlib figure.",
+               [plot] (const py::object& self)
+               {
+                   const auto& value = self.cast<const Value&>();
+                   return plot (self, value.focus.model, value.focus.design);
+               });
+    bindTask<RenderRequest> (module, "render", renderText, "Rendered", &render);
+}
+
+/** One of the scores of the design that was asked about, on each device. */
+auto scores (double FocusScore::*score)
+{
+    return [score] (const DesignOnDevices& value)
+    {
+        const auto& draws = value.tolerances.back().tolerance.draws;
+        Eigen::VectorXd numbers (static_cast<Eigen::Index> (draws.size()));
+        std::transform (draws.begin(), draws.end(), numbers.begin(), [&] (const auto& each) { return each.*score; });
+        return numbers;
+    };
+}
+
+nlohmann::ordered_json toleranceNumbers (const DesignOnDevices& value)
+{
+    return toleranceToJson (value.model, value.focus(), value.tolerances);
+}
+
+void bindTolerance (py::module_& module)
+{
+    using Value = DesignOnDevices;
+    constexpr const char* about =
+        "A design on N devices that differ from the model. Made by :func:`antinode.tolerance`.\n\n"
+        "Where the focus is robust (``allocation.robust``), its design without robustness is compared on the same "
+        "devices.";
+    ResultClass<Value> (module, "Tolerance", about)
+        .isShownAs (
+            [] (const Value& value)
+            {
+                return "Tolerance of '" + value.focus() + "' on "
+                       + std::to_string (value.tolerances.back().tolerance.draws.size()) + " devices";
+            })
+        .has (
+            "design", "The design that was played on all devices.",
+            [] (const Value& value) { return std::const_pointer_cast<DesignedFocus> (value.design); }, "Design")
+        .has ("field_errors",
+              "N: RMS of reached minus represented field over that of the represented one, on each device.",
+              scores (&FocusScore::fieldError))
+        .has ("v_scores", "N: correlation of the reached with the represented field, on each device; 1 is best.",
+              scores (&FocusScore::vScore))
+        .has ("peak_ratios", "N: reached over wanted velocity at the peak, on each device.",
+              scores (&FocusScore::peakRatio))
+        .has ("numbers",
+              "All of ``tolerance.json``: the spread, percentiles of all designs, and the largest causes of error.",
+              [] (const Value& value) { return Json { toleranceNumbers (value).dump() }; })
+        .has (
+            "causes", "What of the device causes the error, the largest first: mode (from 1), kind, field_error.",
+            [] (const Value& value) { return Json { toleranceNumbers (value)["designs"].back()["causes"].dump() }; },
+            "list[dict[str, Any]]")
+        .saves ("folder",
+                "Writes the folder of ``antinode design --tolerance``: ``design.json``, ``tolerance.json``, "
+                "``tolerance.html``.",
+                [] (const Value& value, const Path& path)
+                {
+                    OutputFolder folder (path);
+                    folder.write ("design.json", designText (*value.design));
+                    writeTolerances (folder, value);
+                    folder.commit();
+                })
+        .plots ("plot_tolerance",
+                "How many devices have at most this field error, as a Matplotlib figure; one curve per design.")
+        .reports ([] (const Value& value) { return toleranceReport (value.model, value.focus(), value.tolerances); })
+        .bound.def ("__str__", &tolerancesInWords);
+    bindTask<ToleranceRequest> (module, "tolerance", toleranceText, "Tolerance", &tolerance);
+}
+
+Json onFront (const DesignTradeoff& value)
+{
+    auto front = nlohmann::ordered_json::array();
+    const auto document = tradeoffDocument (value);
+
+    for (const auto& point : document["points"])
+        if (point.value ("on_front", false))
+            front.push_back (point);
+
+    return { front.dump() };
+}
+
+void bindTradeoff (py::module_& module)
+{
+    using Value = DesignTradeoff;
+    ResultClass<Value> (
+        module, "Tradeoff",
+        "Designs of one focus by all methods and growths, or by the weight of what is felt elsewhere. Made "
+        "by :func:`antinode.tradeoff`.")
+        .isShownAs ([] (const Value& value)
+                    { return "Tradeoff of '" + value.focus + "': " + std::to_string (value.designs()) + " designs"; })
+        .has ("numbers",
+              "All of ``tradeoff.json``: the points, and the voltage that no waveform does with less than, V.",
+              [] (const Value& value) { return Json { tradeoffDocument (value).dump() }; })
+        .has (
+            "points",
+            "The designs: method, peak_voltage_V, time_in_motion_ms, field_error_truncated, on_front and more; of a "
+            "focus "
+            "with ``felt`` weight, peak_voltage_V, contrast_dB and more. ``failure`` says why there is no design.",
+            [] (const Value& value) { return Json { tradeoffDocument (value)["points"].dump() }; },
+            "list[dict[str, Any]]")
+        .has ("front",
+              "The points that no other one has both less voltage and less time than; none of a focus with ``felt``.",
+              &onFront, "list[dict[str, Any]]")
+        .saves ("folder",
+                "Writes the folder of ``antinode design --tradeoff``: ``tradeoff.json``, ``tradeoff.csv``, "
+                "``tradeoff.html``.",
+                [] (const Value& value, const Path& folder) { writeTradeoff (folder, value); })
+        .plots ("plot_tradeoff",
+                "Peak voltage against time in motion, or against felt contrast, as a Matplotlib figure.")
+        .reports (&tradeoffPage)
+        .bound.def ("__str__", &tradeoffInWords);
+    bindTask<FocusRequest> (module, "tradeoff", tradeoffText, "Tradeoff", &tradeoff);
 }
 } // namespace
 
-Playback playbackOf (const DesignSettings& settings)
+std::string designPicture (const DesignedFocus& design, const PictureStyle& style)
 {
-    checkSampleRate (settings.sampleRate);
-
-    if (settings.reconstruction == "band_limited")
-        return { Reconstruction::bandLimited, settings.sampleRate };
-
-    if (settings.reconstruction == "zero_order_hold")
-        return { Reconstruction::zeroOrderHold, settings.sampleRate };
-
-    throw InputError ("--reconstruction",
-                      "is " + inQuotes (settings.reconstruction) + "; allowed: band_limited, zero_order_hold");
-}
-
-FocusDescription focusWith (const FocusValue& focus, const DesignSettings& settings)
-{
-    auto wanted = focus.description;
-
-    if (wanted.felt && ! settings.thresholdFile.empty())
-        wanted.felt->threshold = findSkinThreshold (settings.thresholdFile);
-
-    return wanted;
-}
-
-std::string designText (const DesignValue& design)
-{
-    const auto power = designedPower (design.made, design.playback, design.repetitions);
-    return designDocument (design.made, power).dump (2) + "\n";
+    return fieldPicture (design.made.wide.model, design.made.design, predictedField (design), style);
 }
 
 void bindDesign (py::module_& module)
 {
-    py::class_<DesignSettings> (module, "DesignSettings")
-        .def (py::init<double, std::string, double, std::string, bool>(), py::arg ("sample_rate_Hz"),
-              py::arg ("reconstruction"), py::arg ("repeat_Hz"), py::arg ("threshold"), py::arg ("cache"));
-
-    py::class_<DesignValue, Design> value (module, "Design");
-    value.def_static ("make", &design);
-    value.def_property_readonly ("device", [] (const DesignValue& self) { return self.made.wide.model.name; });
-    value.def_property_readonly ("focus", [] (const DesignValue& self) { return self.made.design.description.name; });
-    value.def_property_readonly ("is_plate", [] (const DesignValue& self)
-                                 { return self.made.wide.model.surface.kind == SurfaceKind::plate; });
-    value.def_property_readonly ("peak_voltage_V",
-                                 [] (const DesignValue& self) { return peakVoltage (self.made.design); });
-    value.def ("numbers", &designNumbers);
-    value.def ("text",
-               [] (const DesignValue& self) { return Work (py::none()).run ([&] { return designText (self); }); });
-    value.def ("save", [] (const DesignValue& self, const std::string& folder)
-               { workAway ([&] { saveDesign (self, folder); }); });
-    value.def ("png", &designPicture);
-    bindArrays (value);
+    bindDesigned (module);
+    bindRendered (module);
+    bindTolerance (module);
+    bindTradeoff (module);
 }
 } // namespace antinode

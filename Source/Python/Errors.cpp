@@ -1,9 +1,9 @@
 #include "Errors.h"
 
-#include <CommandLine/FieldNames.h>
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
 #include <antinode_focus/LimitError.h>
+#include <antinode_tasks/FieldNames.h>
 #include <antinode_tracks/TrackDesign.h>
 
 #include <exception>

@@ -1,19 +1,13 @@
-#include "ArrayViews.h"
 #include "Bindings.h"
-#include "Pictures.h"
-#include "Values.h"
-#include "Work.h"
+#include "Keywords.h"
+#include "ResultClass.h"
 
-#include <CommandLine/FieldNames.h>
-#include <CommandLine/MapFiles.h>
 #include <antinode_base/Prefixes.h>
-#include <antinode_library/SkinThresholds.h>
-#include <antinode_numerics/ParallelFor.h>
 #include <antinode_reports/MapReport.h>
+#include <antinode_tasks/FieldNames.h>
+#include <antinode_tasks/Map.h>
 
 #include <nlohmann/json.hpp>
-
-#include <pybind11/stl.h>
 
 #include <algorithm>
 #include <limits>
@@ -23,44 +17,7 @@ namespace antinode
 namespace
 {
 namespace py = pybind11;
-
-using Mapped = std::shared_ptr<MappedDevice>;
-
-/** What of `antinode map` is neither focus nor device. */
-struct MapSettings
-{
-    int places = 2000;
-    double sampleRate = 192000; ///< Hz
-    bool hasFelt = true;
-    std::string thresholdFile;
-    std::optional<std::size_t> threads;
-    bool usesCache = true;
-};
-
-Mapped mapOf (const FocusValue& focus, const DeviceValue& device, const MapSettings& settings, py::object progress)
-{
-    Work work (std::move (progress));
-    const auto show = work.progress();
-    return work.run (
-        [&]
-        {
-            MapOptions options;
-            options.places = settings.places;
-            options.playback.sampleRate = settings.sampleRate;
-            options.threads = settings.threads.value_or (processorThreads());
-
-            if (settings.hasFelt)
-                options.threshold = findSkinThreshold (settings.thresholdFile);
-
-            const auto tell = [&] (int done, int all)
-            {
-                if (show)
-                    show ("Mapping", static_cast<double> (done) / all);
-            };
-            return std::make_shared<MappedDevice> (
-                mapOnDevice (device.description, focus.description, options, settings.usesCache, tell));
-        });
-}
+using Value = MappedDevice;
 
 /** A number of all places, rows x columns; not a number where there is none. */
 template <typename Number>
@@ -78,7 +35,7 @@ auto numbersBy (const Number& number)
                            ? std::optional<double> (number (place)).value_or (std::numeric_limits<double>::quiet_NaN())
                            : std::numeric_limits<double>::quiet_NaN();
             });
-        return arrayOf (Eigen::MatrixXd (values.reshaped (map.columns, map.rows).transpose()));
+        return Eigen::MatrixXd (values.reshaped (map.columns, map.rows).transpose());
     };
 }
 
@@ -93,54 +50,73 @@ Eigen::VectorXd standsAt (const FocusMap& map, Eigen::Index count, Eigen::Index 
     return places;
 }
 
-std::vector<std::string> errorsOf (const MappedDevice& mapped)
+/** Sentences by row and column. */
+py::dict errorsOf (const Value& mapped)
 {
-    std::vector<std::string> sentences;
+    py::dict errors;
+    Eigen::Index index = 0;
 
     for (const auto& place : mapped.map.places)
-        sentences.push_back (withKeysAndOptions (place.error));
+    {
+        if (! place.error.empty())
+            errors[py::make_tuple (index / mapped.map.columns, index % mapped.map.columns)] =
+                withKeysAndOptions (place.error);
 
-    return sentences;
-}
+        ++index;
+    }
 
-void bindArrays (py::class_<MappedDevice, Mapped>& bound)
-{
-    const auto number = [&] (const char* name, auto value) { bound.def_property_readonly (name, numbersBy (value)); };
-    number ("captured", [] (const MapPlace& place) { return place.captured; });
-    number ("v_score", [] (const MapPlace& place) { return place.vScore; });
-    number ("field_error", [] (const MapPlace& place) { return place.fieldError; });
-    number ("peak_voltage_V", [] (const MapPlace& place) { return place.peakVoltage; });
-    number ("spill_over", [] (const MapPlace& place) { return place.spillOver; });
-    number ("felt_contrast_dB", [] (const MapPlace& place) { return place.contrast; });
-    bound.def_property_readonly ("x_mm", [] (const MappedDevice& value)
-                                 { return arrayOf (standsAt (value.map, value.map.columns, 1, &MapPlace::x)); });
-    bound.def_property_readonly (
-        "y_mm", [] (const MappedDevice& value)
-        { return arrayOf (standsAt (value.map, value.map.rows, value.map.columns, &MapPlace::y)); });
+    return errors;
 }
 } // namespace
 
 void bindMap (py::module_& module)
 {
-    py::class_<MapSettings> settings (module, "MapSettings");
-    settings.def (py::init());
-    settings.def_readwrite ("places", &MapSettings::places);
-    settings.def_readwrite ("sample_rate_Hz", &MapSettings::sampleRate);
-    settings.def_readwrite ("felt", &MapSettings::hasFelt);
-    settings.def_readwrite ("threshold", &MapSettings::thresholdFile);
-    settings.def_readwrite ("threads", &MapSettings::threads);
-    settings.def_readwrite ("cache", &MapSettings::usesCache);
-
-    py::class_<MappedDevice, Mapped> bound (module, "Mapped");
-    bound.def_static ("make", &mapOf);
-    bound.def_property_readonly ("device", [] (const MappedDevice& value) { return value.map.device; });
-    bound.def_property_readonly ("focus", [] (const MappedDevice& value) { return value.map.focus; });
-    bound.def_property_readonly ("voltage_limit_V", [] (const MappedDevice& value) { return value.map.voltageLimit; });
-    bound.def_property_readonly ("errors", &errorsOf);
-    bound.def_property_readonly ("numbers", [] (const MappedDevice& value) { return mapToJson (value.map).dump(); });
-    bound.def ("save", [] (const MappedDevice& value, const std::string& folder)
-               { workAway ([&] { writeMap (folder, value); }); });
-    bindFigures (bound, [] (const MappedDevice& value) { return mapReport (value.map, value.model); });
-    bindArrays (bound);
+    constexpr const char* about =
+        "A focus at every place of a surface: N_y rows from below, N_x columns. Made by :func:`antinode.map`.\n\n"
+        "Arrays are N_y x N_x, with NaN where there is no design; on a line N_y is 1.";
+    constexpr int howSharp = 1; // figure
+    ResultClass<Value> (module, "Mapped", about)
+        .isShownAs (
+            [] (const Value& value)
+            {
+                return "Mapped '" + value.map.focus + "' on '" + value.map.device + "': "
+                       + std::to_string (value.map.columns) + " x " + std::to_string (value.map.rows) + " places";
+            })
+        .has ("device", "The name of the device.", [] (const Value& value) { return value.map.device; })
+        .has ("focus", "The name of the focus.", [] (const Value& value) { return value.map.focus; })
+        .has ("x_mm", "N_x: where the columns are, mm.",
+              [] (const Value& value) { return standsAt (value.map, value.map.columns, 1, &MapPlace::x); })
+        .has ("y_mm", "N_y: where the rows are, mm.",
+              [] (const Value& value) { return standsAt (value.map, value.map.rows, value.map.columns, &MapPlace::y); })
+        .has ("captured",
+              "The root of the share of the wanted field's energy that the controlled modes represent; 1 is best.",
+              numbersBy ([] (const MapPlace& place) { return place.captured; }))
+        .has ("v_score", "Correlation of the field at the focus with the wanted one; 1 is best.",
+              numbersBy ([] (const MapPlace& place) { return place.vScore; }))
+        .has ("field_error", "RMS of the field minus the wanted one, over that of the wanted one.",
+              numbersBy ([] (const MapPlace& place) { return place.fieldError; }))
+        .has ("peak_voltage_V", "The largest voltage that a focus needs there, V.",
+              numbersBy ([] (const MapPlace& place) { return place.peakVoltage; }))
+        .has ("voltage_limit_V", "The largest voltage that is allowed, V.",
+              [] (const Value& value) { return value.map.voltageLimit; })
+        .has ("spill_over", "The part of the field that lies in modes beyond the device's own.",
+              numbersBy ([] (const MapPlace& place) { return place.spillOver; }))
+        .has ("felt_contrast_dB",
+              "Sensation level at the focus over that of the strongest place farther away, dB; NaN where it was left "
+              "out.",
+              numbersBy ([] (const MapPlace& place) { return place.contrast; }))
+        .has ("errors", "Why there is no design: sentences by row and column.", &errorsOf, "dict[tuple[int, int], str]")
+        .has ("numbers", "All of ``summary.json``.",
+              [] (const Value& value) { return Json { mapToJson (value.map).dump() }; })
+        .saves ("folder", "Writes the folder of ``antinode map``: ``map.csv``, ``report.html``, ``summary.json``.",
+                [] (const Value& value, const std::filesystem::path& folder) { writeMap (folder, value); })
+        .does (
+            "plot(self, number: str = 'v_score') -> Any",
+            "One of the arrays as a Matplotlib figure.\n\nArgs:\n"
+            "    number: 'captured', 'v_score', 'field_error', 'peak_voltage_V', 'spill_over' or 'felt_contrast_dB'.",
+            [] (const py::object& self, const std::string& number) { return plotBy ("plot_map") (self, number); },
+            py::arg ("number") = "v_score")
+        .reports ([] (const Value& value) { return mapReport (value.map, value.model); }, howSharp);
+    bindTask<MapRequest> (module, "map", mapText, "Mapped", &map);
 }
 } // namespace antinode

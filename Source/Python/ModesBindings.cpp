@@ -1,8 +1,6 @@
-#include "ArrayViews.h"
 #include "Bindings.h"
-#include "Pictures.h"
+#include "ResultClass.h"
 #include "Values.h"
-#include "Work.h"
 
 #include <antinode_base/Prefixes.h>
 #include <antinode_charts/ModeCharts.h>
@@ -10,6 +8,7 @@
 #include <antinode_documents/ModeTable.h>
 #include <antinode_documents/UniversalModes.h>
 #include <antinode_library/Library.h>
+#include <antinode_text/OutputFolder.h>
 #include <antinode_universal/UniversalFile.h>
 
 #include <pybind11/stl.h>
@@ -51,18 +50,17 @@ std::vector<std::string> ceramicNames (const ModalModel& model)
     return names;
 }
 
-/** Columns of complex modes that lie behind those of their real parts. */
-py::object imaginaryShapes (const py::object& self)
+/** Columns or rows of complex modes that lie behind those of their real parts; else None. */
+template <typename Part>
+auto imaginary (const Part& part)
 {
-    const auto& model = self.cast<const ModesValue&>().model;
-    return model.hasComplexModes() ? py::object (viewOf (model.shapes.rightCols (model.modes()), self)) : py::none();
-}
+    return [part] (const ModesValue& value) -> std::optional<Eigen::MatrixXd>
+    {
+        if (! value.model.hasComplexModes())
+            return {};
 
-py::object imaginaryParticipation (const py::object& self)
-{
-    const auto& model = self.cast<const ModesValue&>().model;
-    return model.hasComplexModes() ? py::object (viewOf (model.participation.bottomRows (model.modes()), self))
-                                   : py::none();
+        return Eigen::MatrixXd (part (value.model));
+    };
 }
 
 /** Where numbers lie in memory, for checking that arrays are views. */
@@ -78,74 +76,102 @@ py::dict addresses (const ModalModel& model)
     return all;
 }
 
-py::bytes devicePicture (const ModesValue& modes, const PictureStyle& style)
+std::string devicePicture (const ModesValue& modes, const PictureStyle& style)
 {
     const auto& surface = modes.model.surface;
     constexpr int heightOnLine = 160;
     const auto height =
         surface.kind == SurfaceKind::plate ? plateFigureHeight (surface, style.width, 1, 1) : heightOnLine;
-    return Work (py::none()).run ([&] { return picture (deviceChart (modes.model), style, height); });
+    return picture (deviceChart (modes.model), style, height);
 }
 
-py::bytes galleryPicture (const ModesValue& modes, int count, const PictureStyle& style)
+std::string galleryPicture (const ModesValue& modes, const PictureStyle& style)
 {
-    return Work (py::none())
-        .run (
-            [&]
-            {
-                return picture (modeGallery (modes.model, count), style,
-                                comfortableGalleryHeight (modes.model, count, style.width));
-            });
-}
-
-void bindArrays (py::class_<ModesValue, Modes>& bound)
-{
-    bound.def_property_readonly ("frequencies_Hz",
-                                 [] (const ModesValue& value) { return arrayOf (frequencies (value.model)); });
-    bound.def_property_readonly (
-        "angular_frequencies_rad_s",
-        viewProperty<ModesValue> ([] (const ModesValue& value) { return &value.model.angularFrequencies; }));
-    bound.def_property_readonly ("damping_ratios", viewProperty<ModesValue> ([] (const ModesValue& value)
-                                                                             { return &value.model.dampingRatios; }));
-    bound.def_property_readonly (
-        "shapes", viewProperty<ModesValue> ([] (const ModesValue& value)
-                                            { return value.model.shapes.leftCols (value.model.modes()); }));
-    bound.def_property_readonly ("shapes_imaginary", &imaginaryShapes);
-    bound.def_property_readonly (
-        "participation",
-        viewProperty<ModesValue> ([] (const ModesValue& value)
-                                  { return value.model.participation.topRows (value.model.modes()); }));
-    bound.def_property_readonly ("participation_imaginary", &imaginaryParticipation);
-    bound.def_property_readonly (
-        "points_m", viewProperty<ModesValue> ([] (const ModesValue& value) { return &value.model.surface.points; }));
-    bound.def_property_readonly (
-        "masses_kg", viewProperty<ModesValue> ([] (const ModesValue& value) { return &value.model.surface.masses; }));
-    bound.def_property_readonly (
-        "frequency_errors",
-        viewProperty<ModesValue> ([] (const ModesValue& value) { return &value.model.frequencyErrors; }));
-    bound.def ("shapes_at", [] (const ModesValue& value, double x, double y)
-               { return arrayOf (Eigen::VectorXd (shapesAt (value.model, x / milli, y / milli).transpose())); });
-    bound.def ("addresses", [] (const ModesValue& value) { return addresses (value.model); });
+    constexpr int count = 12;
+    return picture (modeGallery (modes.model, count), style,
+                    comfortableGalleryHeight (modes.model, count, style.width));
 }
 } // namespace
 
 void bindModes (py::module_& module)
 {
+    using Value = ModesValue;
+    constexpr const char* about =
+        "The modes of a device: N_m modes, N_p points of the surface, N_b ceramics. Made by "
+        ":meth:`antinode.Device.modes`.\n\n"
+        "All arrays are read-only. Those that are not computed from others are views of the memory of the model, which "
+        "they "
+        "keep alive. Modes count from 0 here, and from 1 in files.\n\nSource: Docs/Theory.md, section 1.";
     bindPictures (module);
-    py::class_<ModesValue, Modes> modes (module, "Modes");
-    modes.def_static ("solve", &solvedModes);
-    modes.def_property_readonly ("device", [] (const ModesValue& value) { return value.model.name; });
-    modes.def_property_readonly ("is_plate", [] (const ModesValue& value)
-                                 { return value.model.surface.kind == SurfaceKind::plate; });
-    modes.def_property_readonly ("ceramics", [] (const ModesValue& value) { return ceramicNames (value.model); });
-    modes.def_property_readonly ("rigid_body_modes",
-                                 [] (const ModesValue& value) { return value.model.rigidBodyModes; });
-    modes.def_property_readonly ("warnings", [] (const ModesValue& value) { return value.model.warnings; });
-    modes.def ("csv", [] (const ModesValue& value) { return encodeModeTable (value.model); });
-    modes.def ("universal_file",
-               [] (const ModesValue& value) { return py::bytes (encodeUniversalFile (modeSets (value.model))); });
-    modes.def ("device_png", &devicePicture);
-    modes.def ("gallery_png", &galleryPicture);
-    bindArrays (modes);
+    ResultClass<Value> modes (module, "Modes", about);
+    modes
+        .isShownAs (
+            [] (const Value& value)
+            {
+                return "Modes of '" + value.model.name + "': " + std::to_string (value.model.modes()) + " modes, "
+                       + std::to_string (value.model.actuators()) + " ceramics";
+            })
+        .has ("device", "The name of the device.", [] (const Value& value) { return value.model.name; })
+        .has ("frequencies_Hz", "N_m: the undamped frequencies, Hz, ascending.",
+              [] (const Value& value) { return frequencies (value.model); })
+        .has ("angular_frequencies_rad_s", "N_m: the same, rad/s. A view.",
+              [] (const Value& value) -> const Eigen::VectorXd& { return value.model.angularFrequencies; })
+        .has ("damping_ratios", "N_m: of critical damping. A view.",
+              [] (const Value& value) -> const Eigen::VectorXd& { return value.model.dampingRatios; })
+        .has ("participation", "N_m x N_b: modal force per volt, N kg^-1/2 / V. A view.",
+              [] (const Value& value) { return value.model.participation.topRows (value.model.modes()); })
+        .has ("participation_imaginary", "N_m x N_b: the imaginary part where modes are complex, else None.",
+              imaginary ([] (const ModalModel& model) { return model.participation.bottomRows (model.modes()); }))
+        .has ("shapes", "N_p x N_m: displacement normal to the surface, mass-normalised, kg^-1/2. A view.",
+              [] (const Value& value) { return value.model.shapes.leftCols (value.model.modes()); })
+        .has ("shapes_imaginary", "N_p x N_m: the imaginary part where modes are complex, else None.",
+              imaginary ([] (const ModalModel& model) { return model.shapes.rightCols (model.modes()); }))
+        .has ("points_m", "N_p x 2: x and y of the points, m. A view.",
+              [] (const Value& value) -> const Eigen::MatrixX2d& { return value.model.surface.points; })
+        .has ("masses_kg", "N_p: the mass that each point stands for, kg. A view.",
+              [] (const Value& value) -> const Eigen::VectorXd& { return value.model.surface.masses; })
+        .has ("frequency_errors",
+              "N_m: the estimated relative error of each frequency; empty where it is unknown. A view.",
+              [] (const Value& value) -> const Eigen::VectorXd& { return value.model.frequencyErrors; })
+        .has ("ceramics", "N_b names, in the order of the channels.",
+              [] (const Value& value) { return ceramicNames (value.model); })
+        .has ("rigid_body_modes", "How many modes of frequency 0 there are, which are not listed.",
+              [] (const Value& value) { return value.model.rigidBodyModes; })
+        .has ("warnings", "Sentences about the accuracy of the model.",
+              [] (const Value& value) { return value.model.warnings; })
+        .does (
+            "shapes_at(self, x_mm: float, y_mm: float = 0.0) -> Floats",
+            "The shapes of all modes at one place, kg^-1/2: N_m values, or 2 N_m of complex modes, imaginary parts "
+            "behind.\n\nRaises:\n    InputError: the place is outside the surface.\n\n"
+            "Source: Docs/Theory.md, section 1.5.",
+            [] (const Value& value, double x, double y)
+            { return arrayOf (Eigen::VectorXd (shapesAt (value.model, x / milli, y / milli).transpose())); },
+            py::arg ("x_mm"), py::arg ("y_mm") = 0.0)
+        .does (
+            "to_csv(self, file: Folder) -> None", "Writes the table of ``antinode modes --csv``.",
+            [] (const Value& value, const std::filesystem::path& file)
+            { workAway ([&] { writeWholeFile (file, encodeModeTable (value.model)); }); },
+            py::arg ("file"))
+        .does (
+            "to_universal_file(self, file: Folder) -> None",
+            "Writes frequencies and shapes as ``antinode modes --uff``.",
+            [] (const Value& value, const std::filesystem::path& file)
+            { workAway ([&] { writeWholeFile (file, encodeUniversalFile (modeSets (value.model))); }); },
+            py::arg ("file"))
+        .draws ("png", pictureHelp, &galleryPicture)
+        .does (
+            "plot(self, mode: int = 0) -> Any", "The shape of a mode (from 0) as a Matplotlib figure.",
+            [] (const py::object& self, int mode) { return plotBy ("plot_mode") (self, mode); }, py::arg ("mode") = 0);
+    modes.bound.def ("__len__", [] (const Value& value) { return value.model.modes(); });
+    modes.bound.def_static ("_solve", &solvedModes);
+    modes.bound.def ("_device_png", [] (const Value& value, const PictureStyle& style)
+                     { return py::bytes (Work (py::none()).run ([&] { return devicePicture (value, style); })); });
+    modes.bound.def_property_readonly ("_is_plate", [] (const Value& value)
+                                       { return value.model.surface.kind == SurfaceKind::plate; });
+    modes.bound.def ("_addresses", [] (const Value& value) { return addresses (value.model); });
+    keepStub ("    def __len__(self) -> int: ...\n"
+              "    @staticmethod\n    def _solve(device: Device, count: Optional[int], cache: bool) -> Modes: ...\n"
+              "    def _device_png(self, style: PictureStyle) -> bytes: ...\n"
+              "    @property\n    def _is_plate(self) -> bool: ...\n");
 }
 } // namespace antinode

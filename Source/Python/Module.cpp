@@ -1,5 +1,6 @@
 #include "Bindings.h"
 #include "Errors.h"
+#include "ResultClass.h"
 
 PYBIND11_MODULE (_antinode, module)
 {
@@ -9,20 +10,10 @@ PYBIND11_MODULE (_antinode, module)
     antinode::bindDocuments (module);
     antinode::bindModes (module);
     antinode::bindDesign (module);
-    antinode::bindRender (module);
     antinode::bindPerform (module);
-    antinode::bindIdentify (module);
-    antinode::bindExcite (module);
-    antinode::bindMeasure (module);
-    antinode::bindPlace (module);
-    antinode::bindSweep (module);
     antinode::bindMap (module);
-    antinode::bindTolerance (module);
-    antinode::bindTradeoff (module);
-    antinode::bindFollow (module);
-    antinode::bindFrf (module);
-    antinode::bindRetune (module);
-    antinode::bindImport (module);
-    antinode::bindLearn (module);
-    antinode::bindSensors (module);
+    antinode::bindSweep (module);
+    antinode::bindBench (module);
+    antinode::bindLearning (module);
+    module.def ("_stubs", &antinode::keptStubs);
 }

@@ -1,86 +1,25 @@
-#include "ArrayViews.h"
 #include "Bindings.h"
-#include "Pictures.h"
-#include "Values.h"
-#include "Work.h"
+#include "Keywords.h"
+#include "ResultClass.h"
 
-#include <CommandLine/PerformedFiles.h>
-#include <CommandLine/RecordedPasses.h>
-#include <antinode_base/Prefixes.h>
-#include <antinode_library/SkinThresholds.h>
-#include <antinode_library/TrackModels.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_tasks/Perform.h>
 
 #include <nlohmann/json.hpp>
-
-#include <pybind11/stl.h>
 
 namespace antinode
 {
 namespace
 {
 namespace py = pybind11;
+using Value = PerformedWaveforms;
 
-/** Tracks as they were played. */
-struct PerformedValue
-{
-    PerformedWaveforms performed;
-};
-
-using Performed = std::shared_ptr<PerformedValue>;
-
-/** What of `antinode perform` is neither waveforms nor device. */
-struct PerformSettings
-{
-    double sampleRate = 0;     ///< Hz
-    double latency = 0;        ///< ms
-    double longestLatency = 0; ///< ms, of recordings
-    std::string thresholdFile;
-    std::vector<std::string> passes;
-    SensorOptions sensor;
-    bool usesCache = true;
-};
-
-PerformedWaveforms performOn (const WaveformsDescription& waveforms, const DeviceDescription& device,
-                              const PerformSettings& settings, const ShowProgress& progress)
-{
-    TrackSettings tracks;
-    tracks.sampleRate = settings.sampleRate;
-    tracks.latency = settings.latency / milli;
-    tracks.threshold = findSkinThreshold (settings.thresholdFile);
-
-    if (progress)
-        progress ("Modes of the device", 0);
-
-    const auto [known, judge] = trackModels (device, settings.usesCache);
-    const auto passes = withoutLatency (readRecordedPasses (settings.passes, known, waveforms.band, settings.sensor),
-                                        known, waveforms, settings.sampleRate, settings.longestLatency / milli);
-    return performWaveforms (known, judge, waveforms, tracks, progress, passes);
-}
-
-Performed perform (const WaveformsValue& waveforms, const DeviceValue& device, const PerformSettings& settings,
-                   py::object progress)
-{
-    Work work (std::move (progress));
-    const auto show = work.progress();
-    return work.run (
-        [&]
-        {
-            return std::make_shared<PerformedValue> (
-                PerformedValue { performOn (waveforms.description, device.description, settings, show) });
-        });
-}
-
-void savePerformed (const PerformedValue& value, const std::string& folder, bool hasReport)
-{
-    workAway ([&] { writePerformed (folder, value.performed, { hasReport }); });
-}
-
-std::vector<std::string> fingerNames (const PerformedValue& value)
+std::vector<std::string> fingerNames (const Value& value)
 {
     std::vector<std::string> names;
 
-    for (std::size_t p = 0; p < value.performed.scores.fingers.size(); ++p)
-        names.push_back (fingerName (value.performed.design.description, p));
+    for (std::size_t p = 0; p < value.scores.fingers.size(); ++p)
+        names.push_back (fingerName (value.design.description, p));
 
     return names;
 }
@@ -88,43 +27,42 @@ std::vector<std::string> fingerNames (const PerformedValue& value)
 
 void bindPerform (py::module_& module)
 {
-    py::class_<PerformSettings> (module, "PerformSettings")
-        .def (py::init (
-                  [] (double rate, double latency, std::string threshold, std::vector<std::string> passes,
-                      double longestLatency, double sensitivity, double inputFullScale, bool cache)
-                  {
-                      return PerformSettings { rate,
-                                               latency,
-                                               longestLatency,
-                                               std::move (threshold),
-                                               std::move (passes),
-                                               { sensitivity, inputFullScale },
-                                               cache };
-                  }),
-              py::arg ("sample_rate_Hz"), py::arg ("latency_ms"), py::arg ("threshold"), py::arg ("passes"),
-              py::arg ("longest_latency_ms"), py::arg ("sensitivity_mm_s_per_V"), py::arg ("input_full_scale_V"),
-              py::arg ("cache"));
-
-    py::class_<PerformedValue, Performed> bound (module, "Performed");
-    bound.def_static ("make", &perform);
-    bound.def_property_readonly ("summary",
-                                 [] (const PerformedValue& value) { return performedToJson (value.performed).dump(); });
-    bound.def_property_readonly ("sample_rate_Hz",
-                                 [] (const PerformedValue& value) { return value.performed.played.sampleRate; });
-    bound.def_property_readonly ("trigger_sample",
-                                 [] (const PerformedValue& value) { return value.performed.played.trigger; });
-    bound.def_property_readonly ("fingers", &fingerNames);
-    bound.def_property_readonly ("voltages_V",
-                                 viewProperty<PerformedValue> ([] (const PerformedValue& value)
-                                                               { return &value.performed.design.voltages.values; }));
-    bound.def_property_readonly (
-        "output_voltages_V",
-        viewProperty<PerformedValue> ([] (const PerformedValue& value) { return &outputVoltages (value.performed); }));
-    bound.def_property_readonly ("displacements_m",
-                                 viewProperty<PerformedValue> ([] (const PerformedValue& value)
-                                                               { return &value.performed.played.displacements; }));
-    bound.def_property_readonly ("wanted_m", viewProperty<PerformedValue> ([] (const PerformedValue& value)
-                                                                           { return &value.performed.design.wanted; }));
-    bound.def ("save", &savePerformed);
+    constexpr const char* about = "Waveforms at fingers as the plate model played them: N_b ceramics, N_s samples, N_f "
+                                  "fingers, those with tracks "
+                                  "first. Made by :func:`antinode.perform`.\n\n"
+                                  "Arrays are read-only views of the memory of the result, which they keep alive.";
+    ResultClass<Value> (module, "Performed", about)
+        .isShownAs (
+            [] (const Value& value)
+            {
+                return "Performed '" + value.design.description.name + "' on '" + value.judge.name
+                       + "': " + std::to_string (value.scores.fingers.size()) + " fingers";
+            })
+        .has ("fingers", "N_f names, as in ``report.html``.", &fingerNames)
+        .has ("sample_rate_Hz", "Hz.", [] (const Value& value) { return value.played.sampleRate; })
+        .has ("trigger_sample", "The sample (from 0) of the trigger, from which tracks count their time.",
+              [] (const Value& value) { return value.played.trigger; })
+        .has ("voltages_V", "N_b x N_s: the voltages that ceramics act on, V. A view.",
+              [] (const Value& value) -> const Eigen::MatrixXd& { return value.design.voltages.values; })
+        .has ("output_voltages_V",
+              "N_b x N_s: the voltages to play, V: the same, with lags of ceramics undone where the device has any. A "
+              "view.",
+              [] (const Value& value) -> const Eigen::MatrixXd& { return outputVoltages (value); })
+        .has ("displacements_m",
+              "N_f x samples: what the surface did at the fingers, m; it goes on while the surface rings. A view.",
+              [] (const Value& value) -> const Eigen::MatrixXd& { return value.played.displacements; })
+        .has ("wanted_m", "Samples from the trigger on x N_f: what was wanted, m. A view.",
+              [] (const Value& value) -> const Eigen::MatrixXd& { return value.design.wanted; })
+        .has ("scores", "All numbers of ``summary.json``: errors, levels and volts.",
+              [] (const Value& value) { return Json { performedToJson (value).dump() }; })
+        .does (
+            "save(self, folder: Folder, *, report: bool = True) -> None",
+            "Writes the folder of ``antinode perform``, the same bytes.\n\n"
+            "Raises:\n    InputError: the folder cannot be written.",
+            [] (const Value& value, const std::filesystem::path& folder, bool hasReport)
+            { workAway ([&] { writePerformed (folder, value, { hasReport }); }); },
+            py::arg ("folder"), py::kw_only(), py::arg ("report") = true)
+        .plots ("plot_fingers", "What each finger feels over time as a Matplotlib figure, with what was wanted.");
+    bindTask<PerformRequest> (module, "perform", performText, "Performed", &perform);
 }
 } // namespace antinode

@@ -77,6 +77,11 @@ std::string figurePicture (const ReportPage& page, int index, const PictureStyle
     return picture (figure.chart, style, figure.height * style.width / figure.width);
 }
 
+std::string usualTheme()
+{
+    return pybind11::module_::import ("antinode._pictures").attr ("_theme").cast<std::string>();
+}
+
 void bindPictures (pybind11::module_& module)
 {
     namespace py = pybind11;

@@ -37,22 +37,20 @@ std::vector<std::string> figureCaptions (const ReportPage&);
     @throws InputError  where there is no such figure, and as picture [worker] */
 std::string figurePicture (const ReportPage&, int figure, const PictureStyle&);
 
-/** Gives a bound value the figures of its report: `captions ()` and `figure_png (figure, style)`.
-    @param report  makes the page of a value
-    [any] with the GIL */
-template <typename Bound, typename Report>
-void bindFigures (Bound& bound, const Report& report)
-{
-    using Value = typename Bound::type;
-    bound.def ("captions", [report] (const Value& value)
-               { return Work (pybind11::none()).run ([&] { return figureCaptions (report (value)); }); });
-    bound.def ("figure_png",
-               [report] (const Value& value, int figure, const PictureStyle& style)
-               {
-                   return pybind11::bytes (
-                       Work (pybind11::none()).run ([&] { return figurePicture (report (value), figure, style); }));
-               });
-}
+/** The theme that was set for notebooks. [any] with the GIL */
+std::string usualTheme();
+
+/** The docstring of `png`, and of that of a report. */
+inline constexpr const char* pictureHelp =
+    "The picture as the bytes of a PNG file.\n\nArgs:\n"
+    "    width, height: pixels at scale 1, 16 to 8192; a height of 0 follows from what is drawn.\n"
+    "    scale: pixels of the file for each of these, 0.25 to 8; 2 for dense screens.\n"
+    "    theme: 'light', 'dark' or 'print'; None: that of :func:`antinode.set_theme`.";
+inline constexpr const char* figureHelp =
+    "A figure as the bytes of a PNG file.\n\nArgs:\n"
+    "    width, height, scale, theme: as of every picture: pixels at scale 1, pixels of the file for each of these.\n"
+    "    figure: which one of ``figures``, from 0; None: the one that notebooks show.\n\n"
+    "Raises:\n    InputError: there is no such figure, size or theme.";
 
 /** Names the style of pictures for Python. [any] with the GIL */
 void bindPictures (pybind11::module_&);

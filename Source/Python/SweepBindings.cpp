@@ -2,13 +2,13 @@
 #include "Bindings.h"
 #include "Work.h"
 
-#include <CommandLine/FieldNames.h>
-#include <CommandLine/SweptFiles.h>
 #include <antinode_base/InputError.h>
 #include <antinode_numerics/ParallelFor.h>
 #include <antinode_sweep/CaseEvaluator.h>
 #include <antinode_sweep/SweepCases.h>
 #include <antinode_sweep/SweepFolder.h>
+#include <antinode_tasks/FieldNames.h>
+#include <antinode_tasks/SweptFiles.h>
 #include <antinode_text/JsonText.h>
 
 #include <nlohmann/json.hpp>

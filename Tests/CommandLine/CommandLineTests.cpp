@@ -28,14 +28,19 @@ TEST_CASE ("Help ends with 0, wrong usage with 2, bad input with 1 and one line"
     CHECK (runProgram ({}).exitCode == 2);
     CHECK (runProgram ({ "rendr" }).exitCode == 2);
     CHECK (runProgram ({ "render", "--no-such-option" }).exitCode == 2);
-    CHECK (runProgram ({ "render", "--format", "mp3" }).exitCode == 2);
+
+    for (const auto& [option, value] : { std::pair { "--format", "mp3" }, { "--rate", "7999" }, { "--rate", "nan" } })
+    {
+        const auto run = runProgram ({ "render", option, value });
+        CHECK (run.exitCode == 2);
+        CHECK (run.errors.starts_with ("antinode: " + std::string (option) + ": is "));
+        CHECK (std::count (run.errors.begin(), run.errors.end(), '\n') == 1);
+    }
 
     for (const auto& arguments :
          std::vector<ProgramArguments> { { "render", "no-such-focus" },
                                          { "render", "missing.json" },
                                          { "render", "--device", "no-such-device" },
-                                         { "render", "--rate", "7999" },
-                                         { "render", "--rate", "nan" },
                                          { "render", "--probe", "24,0,0" },
                                          { "render", "--probe", "200" },
                                          { "render", "--set", "x=1" },

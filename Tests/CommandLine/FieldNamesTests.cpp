@@ -1,6 +1,6 @@
 #include "Support/RunProgram.h"
 
-#include <CommandLine/FieldNames.h>
+#include <antinode_tasks/FieldNames.h>
 
 #include <catch2/catch.hpp>
 
@@ -23,8 +23,7 @@ TEST_CASE ("Fields of lower modules become keys and options", "[command line]")
 TEST_CASE ("Errors of a focus name the key that the user wrote", "[command line]")
 {
     const std::vector<std::pair<std::string, std::string>> cases {
-        { "focus.targets.0.x_mm=200",
-          "focus: /targets/0/x_mm: is 200 mm, which is outside the surface of 'staple'; allowed: " },
+        { "focus.targets.0.x_mm=200", "focus: /targets/0/x_mm: is 200 mm, which is outside the surface; allowed: " },
         { "focus.focus_time_ms=0.1", "focus: /focus_time_ms: leaves 0.1 ms to drive mode " },
         { "focus.modes={\"count\": 4000}", "focus: /modes/count: is 4000; allowed: 1 to " },
         { "focus.modes={\"maximum_frequency_Hz\": 1}",

@@ -1,4 +1,4 @@
-#include <CommandLine/PlaceOutcome.h>
+#include <antinode_tasks/PlaceOutcome.h>
 
 #include <antinode_library/Inputs.h>
 

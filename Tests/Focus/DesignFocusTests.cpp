@@ -205,9 +205,8 @@ TEST_CASE ("Impossible requests are refused with the field", "[focus]")
     const auto model = test::sineBeam (20, 8);
     auto focus = sincFocus (AllocationMethod::exact);
     focus.targets[0].x = 0.2;
-    CHECK_THROWS_WITH (
-        designFocus (model, focus, {}),
-        Catch::Contains ("focus: target 1 x: is 200 mm, which is outside the surface; allowed: "));
+    CHECK_THROWS_WITH (designFocus (model, focus, {}),
+                       Catch::Contains ("focus: target 1 x: is 200 mm, which is outside the surface; allowed: "));
     focus = sincFocus (AllocationMethod::exact);
     focus.modes.count = 20;
     CHECK_THROWS_WITH (designFocus (model, focus, { Reconstruction::bandLimited, 48000 }),

@@ -3,6 +3,7 @@
 set -u
 source=$1
 programs=$2/bin
+manual=$2/documents
 failed=0
 . "$source/Resources/Completion/antinode"
 
@@ -34,14 +35,14 @@ completed()
 # The options of a section of a man page, and --help, which stands at its beginning for all.
 in_manual()
 {
-    { echo --help; sed -n "$2" "$source/Docs/Man/$1.1" | sed 's/\\-/-/g' | grep -E '^\.B[IR]* -' | grep -oE -- '--[a-zA-Z_-]+'; } | sort -u
+    { echo --help; sed -n "$2" "$manual/$1.1" | sed 's/\\-/-/g' | grep -E '^\.B[IR]* -' | grep -oE -- '--[a-zA-Z_-]+'; } | sort -u
 }
 
 program=$programs/antinode
-commands=$("$program" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/\1/p')
+commands=$("$program" --help | sed -n 's/^  \([a-z]\{1,\}\) .*/\1/p')
 [[ -n $commands ]] || fail "antinode --help lists no commands"
 same "commands, help and completion" "$(sort <<<"$commands")" "$(completed "$program" "")"
-same "commands, help and manual" "$commands" "$(sed -n 's/^\.SS antinode \([a-z]*\).*/\1/p' "$source/Docs/Man/antinode.1")"
+same "commands, help and manual" "$commands" "$(sed -n 's/^\.SS antinode \([a-z]*\).*/\1/p' "$manual/antinode.1")"
 
 for command in $commands; do
     wanted=$("$program" "$command" --help | described)

@@ -102,7 +102,8 @@ def test_the_sentence_is_that_of_the_command_line(program, tmp_path, options, ca
     printed = program("design", *options, "--out", tmp_path / "none", fails=True)
     with pytest.raises(an.InputError) as error:
         call()
-    assert printed == f"antinode: {error.value}\n"
+    # The command line names an option, Python a keyword.
+    assert printed.split(": ", 2)[2] == str(error.value).split(": ", 1)[1] + "\n"
 
 
 def test_bad_input_is_refused():

@@ -19,18 +19,44 @@ Manual: Docs/Manual/python.md; all keys of files: Docs/FileFormats.md; formulas:
 """
 
 from ._antinode import version as __version__
-from ._compared import Tolerance, Tradeoff, tolerance, tradeoff
-from ._designs import Design, Rendered, design, render
+from ._antinode import (
+    Design,
+    Estimated,
+    Excitation,
+    Followed,
+    Identified,
+    Imported,
+    Learnt,
+    Mapped,
+    Measured,
+    Modes,
+    Performed,
+    Placed,
+    Rendered,
+    Retuned,
+    Sensors,
+    Tolerance,
+    Tradeoff,
+    design,
+    excite,
+    follow,
+    frf,
+    identify,
+    import_device,
+    learn,
+    map,
+    measure,
+    perform,
+    place,
+    render,
+    retune,
+    sensors,
+    tolerance,
+    tradeoff,
+)
 from ._documents import Device, Focus, Waveforms, device, focus, names, waveforms
-from ._imported import Imported, import_device
-from ._learning import Followed, Learnt, Sensors, follow, learn, sensors
-from ._maps import Mapped, map
-from ._measured import Identified, Measured, Placed, identify, measure, place
-from ._modes import Modes
 from ._pictures import set_theme
-from ._recorded import Estimated, Excitation, Retuned, excite, frf, retune
 from ._sweeps import Swept, sweep
-from ._tracks import Performed, perform
 from .errors import InputError, LimitError
 
 __all__ = [

@@ -11,9 +11,9 @@ from . import _antinode
 from ._checks import with_suggestion
 from ._pictures import Pictured, Style
 from .errors import InputError
-from ._modes import Modes
 
-Source = Union[str, "os.PathLike[str]", Mapping[str, Any]]
+Folder = Union[str, "os.PathLike[str]"]
+Source = Union[Folder, Mapping[str, Any]]
 Changes = Mapping[str, Any]
 
 
@@ -84,7 +84,7 @@ class Device(Document, Pictured):
 
     def __init__(self, core: _antinode.Device) -> None:
         self._core = core
-        self._modes: Optional[Modes] = None
+        self._modes: Optional[_antinode.Modes] = None
 
     @classmethod
     def _of(cls, text: str) -> Device:
@@ -95,7 +95,7 @@ class Device(Document, Pictured):
         """'beam', 'staple', 'plate' or 'modal'; with measured modes still that of the drawing."""
         return str(self._core.kind)
 
-    def modes(self, count: Optional[int] = None, *, cache: bool = True) -> Modes:
+    def modes(self, count: Optional[int] = None, *, cache: bool = True) -> _antinode.Modes:
         """The modes of the device, as ``antinode modes`` lists them.
 
         Args:
@@ -112,13 +112,13 @@ class Device(Document, Pictured):
         """
         if count is None and cache and self._modes is not None:
             return self._modes
-        modes = Modes(_antinode.Modes.solve(self._core, count, cache))
+        modes = _antinode.Modes._solve(self._core, count, cache)
         if count is None and cache:
             self._modes = modes
         return modes
 
     def _draw(self, style: Style) -> bytes:
-        return self.modes()._core.device_png(style)
+        return self.modes()._device_png(style)
 
     def plot(self) -> Any:
         """The device from above as a Matplotlib figure: its points and ceramics."""
@@ -272,6 +272,11 @@ def device_for(wanted: Union[Focus, Waveforms], source: Union[None, Source, Devi
 def focus_of(source: Union[Source, Focus]) -> Focus:
     """A focus, or what makes one."""
     return source if isinstance(source, Focus) else focus(source)
+
+
+def waveforms_of(source: Union[Source, Waveforms]) -> Waveforms:
+    """Waveforms, or what makes them."""
+    return source if isinstance(source, Waveforms) else waveforms(source)
 
 
 def names(kind: str = "device") -> list[str]:

@@ -7,13 +7,8 @@ from typing import TYPE_CHECKING, Any, Mapping
 from ._checks import word
 
 if TYPE_CHECKING:
-    from ._antinode import Floats
-    from ._compared import Tolerance, Tradeoff
+    from ._antinode import Estimated, Floats, Followed, Learnt, Mapped, Modes, Performed, Sensors, Tolerance, Tradeoff
     from ._documents import Device
-    from ._learning import Followed, Learnt, Sensors
-    from ._maps import Mapped
-    from ._recorded import Estimated
-    from ._tracks import Performed
 
 
 def _figure(rows: int, columns: int, size: tuple[float, float]) -> Any:
@@ -50,7 +45,7 @@ def plot_device(device: Device) -> Any:
 
     modes = device.modes()
     document = device.to_dict()
-    figure, axes = _figure(1, 1, (7.6, 5.0 if modes._core.is_plate else 2.0))
+    figure, axes = _figure(1, 1, (7.6, 5.0 if modes._is_plate else 2.0))
     axis = axes[0, 0]
     axis.plot(modes.points_m[:, 0] * 1e3, modes.points_m[:, 1] * 1e3, ".", markersize=2, color="0.7")
     for ceramic in document.get("base", document).get("ceramics", []):
@@ -197,3 +192,9 @@ def plot_responses(estimated: Estimated, reference: int) -> Any:
     unit = "(m/s)/N" if estimated.hits else "(m/s)/V"
     axes[0, 0].set(xlabel="frequency, Hz", ylabel=f"velocity, {unit}", title=estimated.references[reference])
     return figure
+
+
+def plot_mode(modes: Modes, mode: int) -> Any:
+    shape = {f"mode {mode}": modes.shapes[:, mode]}
+    title = f"{modes.device}: mode {mode}, {modes.frequencies_Hz[mode]:.1f} Hz"
+    return plot_values(modes._is_plate, modes.points_m, shape, title, "shape, kg$^{-1/2}$")

@@ -13,8 +13,7 @@ from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Union
 
 from . import _antinode
 from ._checks import within
-from ._designs import Folder
-from ._documents import as_json
+from ._documents import Folder, as_json
 from ._progress import Progress, shown
 from .errors import InputError
 

@@ -1,0 +1,543 @@
+#include "Keywords.h"
+
+#include "ArrayViews.h"
+#include "Recordings.h"
+#include "ResultClass.h"
+#include "Values.h"
+
+#include <antinode_base/InputError.h>
+#include <antinode_base/MessageText.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_documents/ExcitationFolder.h>
+#include <antinode_tasks/Design.h>
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+#include <set>
+
+namespace antinode
+{
+namespace
+{
+namespace py = pybind11;
+
+std::string shown (double number)
+{
+    return formatted ("%.12g", number);
+}
+
+void checkRange (const Field& field, double given)
+{
+    if (field.range && ! (given >= field.range->first && given <= field.range->second))
+        throw InputError (field.keyword, "is " + shown (given) + "; allowed: " + rangeInWords (*field.range));
+}
+
+void checkWord (const Field& field, const std::string& given)
+{
+    if (! field.words.empty() && std::find (field.words.begin(), field.words.end(), given) == field.words.end())
+        throw InputError (field.keyword, "is " + inQuotes (given)
+                                             + "; allowed: " + listed ({ field.words.begin(), field.words.end() }));
+}
+
+/** @throws TypeError  naming the keyword */
+template <typename Wanted>
+Wanted cast (const Field& field, const py::handle& given)
+{
+    try
+    {
+        return given.cast<Wanted>();
+    }
+    catch (const py::cast_error&)
+    {
+        throw py::type_error (field.keyword + ": is of type "
+                              + py::type::handle_of (given).attr ("__name__").cast<std::string>());
+    }
+}
+
+py::object documents (const char* function)
+{
+    return py::module_::import ("antinode._documents").attr (function);
+}
+
+/** The numbers of a row that is given as a number or as a sequence. */
+std::vector<double> rowOf (const Field& field, const NumberRows& rows, const py::handle& given)
+{
+    std::vector<double> numbers;
+
+    try
+    {
+        if (py::hasattr (given, "__len__"))
+            for (const auto& each : given)
+                numbers.push_back (py::float_ (py::reinterpret_borrow<py::object> (each)));
+        else
+            numbers.push_back (py::float_ (py::reinterpret_borrow<py::object> (given)));
+    }
+    catch (const py::error_already_set&)
+    {
+        numbers.clear();
+    }
+
+    if (numbers.size() < rows.least || numbers.size() > rows.most)
+        throw InputError (field.keyword,
+                          py::repr (given).cast<std::string>() + " is not allowed; allowed: " + rows.allowed);
+
+    return numbers;
+}
+
+/** x and y of places that are given as x, or as x and y, mm. */
+Eigen::MatrixX2d placesOf (const Field& field, const py::handle& given)
+{
+    std::vector<std::vector<double>> rows;
+
+    for (const auto& each : given)
+        rows.push_back (rowOf (field, { "x, or x and y, mm", 1, 2, true, {} }, each));
+
+    Eigen::MatrixX2d places = Eigen::MatrixX2d::Zero (static_cast<Eigen::Index> (rows.size()), 2);
+
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        for (std::size_t axis = 0; axis < rows[i].size(); ++axis)
+            places (static_cast<Eigen::Index> (i), static_cast<Eigen::Index> (axis)) = rows[i][axis] / milli;
+
+    if (! places.allFinite() || (field.isRequired && places.rows() == 0))
+        throw InputError (field.keyword, "are none or not finite; allowed: at least one place on the surface, mm");
+
+    return places;
+}
+
+/** Plays by a function of Python. The request, which outlives the work, has the last hold of it: no thread without the
+    GIL lets it go. */
+PlayFunction playerOf (const py::object& function)
+{
+    return [play = std::make_shared<py::object> (function)] (const Eigen::MatrixXd& voltages, int pass)
+    {
+        const py::gil_scoped_acquire withGil;
+        return matrixOf ((*play) (arrayOf (Eigen::MatrixXd (voltages)), pass), "play");
+    };
+}
+
+/** Keeps what one field is given. */
+class Assigner
+{
+public:
+    Assigner (const Field& assigned, py::object value, py::object& named)
+        : field (assigned), given (std::move (value)), reader (named)
+    {
+    }
+
+    void operator() (bool* value) const { *value = cast<bool> (field, given); }
+    void operator() (int* value) const { *value = number<int>(); }
+    void operator() (std::uint64_t* value) const { *value = static_cast<std::uint64_t> (number<std::int64_t>()); }
+    void operator() (double* value) const { *value = number<double>() / field.perUnit; }
+
+    void operator() (std::optional<int>* value) const
+    {
+        if (isGiven())
+            *value = number<int>();
+    }
+
+    void operator() (std::optional<double>* value) const
+    {
+        if (isGiven())
+            *value = number<double>() / field.perUnit;
+    }
+
+    void operator() (std::string* value) const { *value = word(); }
+
+    void operator() (std::optional<std::string>* value) const
+    {
+        if (isGiven())
+            *value = word();
+    }
+
+    void operator() (std::filesystem::path* value) const
+    {
+        if (isGiven())
+            *value = cast<std::filesystem::path> (field, given);
+    }
+
+    void operator() (std::vector<std::string>* value) const { *value = cast<std::vector<std::string>> (field, given); }
+
+    void operator() (std::vector<std::filesystem::path>* value) const
+    {
+        *value = cast<std::vector<std::filesystem::path>> (field, given);
+    }
+
+    void operator() (std::vector<double>* value) const { list (value); }
+    void operator() (std::vector<int>* value) const { list (value); }
+
+    void operator() (const NumberRows& rows) const
+    {
+        if (! rows.repeats)
+        {
+            if (isGiven())
+                rows.take (rowOf (field, rows, given));
+
+            return;
+        }
+
+        for (const auto& each : given)
+            rows.take (rowOf (field, rows, each));
+    }
+
+    void operator() (const WordFlag&) const {}
+    void operator() (const TextRows&) const {}
+
+    void operator() (const FocusOrDesign& value) const
+    {
+        if (py::isinstance<DesignedFocus> (given))
+            *value.design = given.cast<std::shared_ptr<DesignedFocus>>();
+        else
+            (*this) (value.focus);
+    }
+
+    void operator() (const FocusSeries& value) const { (*this) (value.focus); }
+    void operator() (Eigen::MatrixX2d* value) const { *value = placesOf (field, given); }
+
+    void operator() (std::optional<Eigen::MatrixXd>* value) const
+    {
+        if (isGiven())
+            *value = matrixOf (given, field.keyword);
+    }
+
+    void operator() (PlayFunction* value) const
+    {
+        if (isGiven())
+            *value = playerOf (given);
+    }
+
+    void operator() (DeviceDescription* value) const
+    {
+        const auto source =
+            given.is_none() && reader.is_none() ? py::object (py::str (field.usual)) : given; // A design has its own.
+        const auto device = reader.is_none() ? documents ("device_of") (source)
+                                             : documents ("device_for") (reader, source, field.usual);
+        *value = device.attr ("_core").cast<const DeviceValue&>().description;
+    }
+
+    void operator() (const OptionalDevice& value) const
+    {
+        if (isGiven())
+            *value.device = documents ("device_of") (given).attr ("_core").cast<const DeviceValue&>().description;
+    }
+
+    void operator() (FocusDescription* value) const
+    {
+        reader = documents ("focus_of") (given);
+        *value = reader.attr ("_core").cast<const FocusValue&>().description;
+    }
+
+    void operator() (std::vector<FocusDescription>* value) const
+    {
+        for (const auto& each : given)
+            value->push_back (documents ("focus_of") (each).attr ("_core").cast<const FocusValue&>().description);
+    }
+
+    void operator() (WaveformsDescription* value) const
+    {
+        reader = documents ("waveforms_of") (given);
+        *value = reader.attr ("_core").cast<const WaveformsValue&>().description;
+    }
+
+    void operator() (const OptionalSheet& value) const
+    {
+        if (isGiven())
+            *value.sheet = py::isinstance<ExcitationSheet> (given)
+                               ? given.cast<const ExcitationSheet&>()
+                               : readSheet (cast<std::filesystem::path> (field, given));
+    }
+
+private:
+    bool isGiven() const { return ! given.is_none(); }
+
+    template <typename Number>
+    Number number() const
+    {
+        const auto value = cast<Number> (field, given);
+        checkRange (field, static_cast<double> (value));
+        return value;
+    }
+
+    template <typename Number>
+    void list (std::vector<Number>* value) const
+    {
+        *value = cast<std::vector<Number>> (field, given);
+
+        for (const auto each : *value)
+            checkRange (field, static_cast<double> (each));
+    }
+
+    std::string word() const
+    {
+        auto text = cast<std::string> (field, given);
+        checkWord (field, text);
+        return text;
+    }
+
+    const Field& field;
+    py::object given;
+    py::object& reader; ///< The focus or the waveforms, which may name a device.
+};
+
+/** How a field is declared in Python: its type, and its default as a literal. */
+class Declaration
+{
+public:
+    explicit Declaration (const Field& declared) : field (declared)
+    {
+        std::visit (*this, field.value);
+
+        if (field.isRequired)
+            otherwise.clear();
+    }
+
+    void operator() (const bool* value) { say ("bool", *value ? "True" : "False"); }
+    void operator() (const int* value) { say ("int", std::to_string (*value)); }
+    void operator() (const std::uint64_t* value) { say ("int", std::to_string (*value)); }
+    void operator() (const double* value) { say ("float", shown (*value * field.perUnit)); }
+    void operator() (const std::optional<int>*) { say ("Optional[int]", "None"); }
+    void operator() (const std::optional<double>*) { say ("Optional[float]", "None"); }
+    void operator() (const std::string* value) { say ("str", "'" + *value + "'"); }
+    void operator() (const std::optional<std::string>*) { say ("Optional[str]", "None"); }
+    void operator() (const std::filesystem::path*) { say (field.isRequired ? "Folder" : "Optional[Folder]", "None"); }
+    void operator() (const std::vector<std::string>*) { say ("Sequence[str]", "()"); }
+    void operator() (const std::vector<double>*) { say ("Sequence[float]", "()"); }
+    void operator() (const std::vector<int>*) { say ("Iterable[int]", "()"); }
+    void operator() (const WordFlag&) {}
+    void operator() (const TextRows&) {}
+    void operator() (const FocusSeries& value) { (*this) (value.focus); }
+    void operator() (const FocusOrDesign&) { say ("Union[Source, _Focus, Design]", "'" + field.usual + "'"); }
+    void operator() (const Eigen::MatrixX2d*) { say ("Iterable[Probe]", "()"); }
+    void operator() (const std::optional<Eigen::MatrixXd>*) { say ("Any", "None"); }
+    void operator() (const PlayFunction*) { say ("Optional[Callable[[Floats, int], Any]]", "None"); }
+    void operator() (const OptionalDevice&) { say ("Union[None, Source, _Device]", "None"); }
+    void operator() (const FocusDescription*) { say ("Union[Source, _Focus]", "'" + field.usual + "'"); }
+    void operator() (const std::vector<FocusDescription>*) { say ("Iterable[Union[Source, _Focus]]", "()"); }
+    void operator() (const WaveformsDescription*) { say ("Union[Source, _Waveforms]", "'" + field.usual + "'"); }
+    void operator() (const OptionalSheet&) { say ("Union[None, Folder, Excitation]", "None"); }
+
+    void operator() (const std::vector<std::filesystem::path>*)
+    {
+        isVariadic = field.isPositional;
+        say (isVariadic ? "Folder" : "Iterable[Folder]", isVariadic ? "" : "()");
+    }
+
+    void operator() (const NumberRows& rows)
+    {
+        const std::string row = rows.least == 1 ? "Probe" : "Sequence[float]";
+        rows.repeats ? say ("Iterable[" + row + "]", "()") : say ("Optional[" + row + "]", "None");
+    }
+
+    void operator() (const DeviceDescription*)
+    {
+        const auto isNamed = field.otherwise.empty() && ! field.usual.empty();
+        say (field.otherwise.empty() ? "Union[Source, _Device]" : "Union[None, Source, _Device]",
+             isNamed ? "'" + field.usual + "'" : "None");
+    }
+
+    std::string type, otherwise;
+    bool isVariadic = false;
+
+private:
+    void say (std::string declared, std::string usual)
+    {
+        type = std::move (declared);
+        otherwise = std::move (usual);
+    }
+
+    const Field& field;
+};
+
+/** "device, *files, cache=True, progress=None". @param isTyped  with the types, as a stub has it */
+std::string parametersOf (const std::vector<Field>& fields, bool isTyped)
+{
+    std::string positions, named, variadic;
+
+    for (const auto& field : fields)
+    {
+        if (field.keyword.empty())
+            continue;
+
+        const Declaration declaration (field);
+        const auto typed = field.keyword + (isTyped ? ": " + declaration.type : "");
+        const auto whole =
+            typed + (declaration.otherwise.empty() ? "" : (isTyped ? " = " : "=") + declaration.otherwise);
+
+        if (declaration.isVariadic)
+            variadic = "*" + typed + ", ";
+        else
+            (field.isPositional ? positions : named) += whole + ", ";
+    }
+
+    return positions + (variadic.empty() ? "*, " : variadic) + named
+           + (isTyped ? "progress: ShownBy = None" : "progress=None");
+}
+
+std::string argumentText (const Field& field)
+{
+    auto text = field.keyword + ": " + field.text;
+
+    if (! field.words.empty())
+        text += ": " + listed ({ field.words.begin(), field.words.end() });
+
+    if (field.range)
+        text += "; " + rangeInWords (*field.range);
+
+    if (! field.otherwise.empty())
+        text += (Declaration (field).otherwise == "None" ? "; None: " : "; default: ") + field.otherwise;
+
+    return text;
+}
+
+/** The fields of arguments without names, in their order; those after them go to a list of files. */
+struct Positions
+{
+    std::vector<const Field*> single;
+    const Field* variadic = nullptr;
+};
+
+Positions positionsOf (const std::vector<Field>& fields)
+{
+    Positions positions;
+
+    for (const auto& field : fields)
+        if (field.isPositional && ! field.keyword.empty())
+        {
+            if (std::holds_alternative<std::vector<std::filesystem::path>*> (field.value))
+                positions.variadic = &field;
+            else
+                positions.single.push_back (&field);
+        }
+
+    return positions;
+}
+
+/** All arguments by their keywords. @throws TypeError  for too many, and for one that is given twice */
+py::dict named (const std::vector<Field>& fields, const std::string& function, const py::args& arguments,
+                const py::kwargs& keywords)
+{
+    const auto positions = positionsOf (fields);
+    const auto singles = std::min (positions.single.size(), arguments.size());
+    py::dict given;
+
+    for (std::size_t i = 0; i < singles; ++i)
+        given[positions.single[i]->keyword.c_str()] = arguments[i];
+
+    if (positions.variadic != nullptr)
+        given[positions.variadic->keyword.c_str()] =
+            arguments[py::slice (static_cast<py::ssize_t> (singles), PY_SSIZE_T_MAX, 1)];
+    else if (arguments.size() > singles)
+        throw py::type_error (function + "() takes " + std::to_string (positions.single.size())
+                              + " positional arguments but " + std::to_string (arguments.size()) + " were given");
+
+    for (const auto& [key, value] : keywords)
+    {
+        if (given.contains (key))
+            throw py::type_error (function + "() got multiple values for argument '" + key.cast<std::string>() + "'");
+
+        given[key] = value;
+    }
+
+    return given;
+}
+
+bool mayNameDevice (const Field& field)
+{
+    return std::holds_alternative<FocusDescription*> (field.value)
+           || std::holds_alternative<FocusOrDesign> (field.value)
+           || std::holds_alternative<WaveformsDescription*> (field.value);
+}
+
+void requireFiles (const Field& field, const py::handle& given)
+{
+    if (field.isRequired && py::len (given) == 0)
+        throw InputError (field.keyword, "are none; allowed: at least one file");
+}
+} // namespace
+
+py::object assign (const std::vector<Field>& fields, const std::string& function, const py::args& arguments,
+                   const py::kwargs& keywords)
+{
+    auto given = named (fields, function, arguments, keywords);
+    py::object reader = py::none(), progress = py::none();
+    auto ordered = fields; // Focuses and waveforms first: they may name the device.
+    std::stable_partition (ordered.begin(), ordered.end(), mayNameDevice);
+
+    for (const auto& field : ordered)
+    {
+        if (field.keyword.empty())
+            continue;
+
+        const auto isGiven = given.contains (field.keyword);
+        const auto isDocument = ! field.usual.empty();
+
+        if (! isGiven && field.isRequired)
+            throw py::type_error (function + "() missing 1 required argument: '" + field.keyword + "'");
+
+        if (! isGiven && ! isDocument)
+            continue;
+
+        py::object value = isGiven                     ? py::object (given[field.keyword.c_str()])
+                           : ! field.otherwise.empty() ? py::object (py::none())
+                                                       : py::object (py::str (field.usual));
+
+        if (std::holds_alternative<std::vector<std::filesystem::path>*> (field.value))
+            requireFiles (field, value);
+
+        std::visit (Assigner (field, value, reader), field.value);
+
+        if (isGiven)
+            given.attr ("pop") (field.keyword);
+    }
+
+    if (given.contains ("progress"))
+        progress = given.attr ("pop") ("progress");
+
+    if (! given.empty())
+        throw py::type_error (function + "() got an unexpected keyword argument "
+                              + py::repr (*given.attr ("__iter__")().attr ("__next__")()).cast<std::string>());
+
+    return progress;
+}
+
+std::string documented (const std::string& function, const TaskText& text, const std::vector<Field>& fields,
+                        const std::string& result)
+{
+    keepStub ("def " + function + "(" + parametersOf (fields, true) + ") -> " + result + ": ...\n");
+    auto documentation = function + "(" + parametersOf (fields, false) + ")\n--\n\n" + text.summary + ", as ``antinode "
+                         + text.name + "``.\n\nArgs:\n";
+
+    for (const auto& field : fields)
+        if (! field.keyword.empty())
+            documentation += "    " + argumentText (field) + ".\n";
+
+    return documentation
+           + "    progress: a function of what is being done and its share, 0 to 1; True: a bar of tqdm where it is "
+             "installed.\n\nReturns:\n    :class:`"
+           + result
+           + "`.\n\nRaises:\n    InputError: something that was given is not allowed, or a file cannot be read.\n"
+             "    LimitError: a focus is not reached within the limits of the device.\n"
+             "    KeyboardInterrupt: Ctrl+C.\n\nSource: "
+           + text.source + ".\n";
+}
+
+ShownProgress::ShownProgress (const py::object& progress)
+    : context (py::module_::import ("antinode._progress").attr ("shown") (progress))
+{
+    show = context.attr ("__enter__")();
+}
+
+ShownProgress::~ShownProgress()
+{
+    try
+    {
+        context.attr ("__exit__") (py::none(), py::none(), py::none());
+    }
+    catch (py::error_already_set& error)
+    {
+        error.discard_as_unraisable ("progress");
+    }
+}
+} // namespace antinode
