@@ -1,4 +1,5 @@
 #include "PlayedSession.h"
+#include "Support/FollowedWindows.h"
 
 #include <antinode_engine/PlateModel.h>
 #include <antinode_focus/Detuning.h>
@@ -90,28 +91,8 @@ struct FollowedPlay
             playBlock (spoil);
 
             if (clock % windowSamples < block)
-                awaitWindow();
+                windows.await (static_cast<double> (clock) / followedRate, [this] { return status(); });
         }
-    }
-
-    /** On a busy computer windows take longer than what is played in them. The first one takes 2 s at most. */
-    void awaitWindow()
-    {
-        constexpr auto hung = std::chrono::minutes (2);
-        constexpr auto glance = std::chrono::milliseconds (20);
-        const auto isLearning = [this]
-        {
-            const auto state = status().state;
-            return state != FollowingState::frozen && state != FollowingState::impossible
-                   && state != FollowingState::paused;
-        };
-        const auto newest = [this] { return status().trace.empty() ? 0.0 : status().trace.back().time; };
-        const auto isDue = newest() > 0 || static_cast<double> (clock) > 2 * followedRate;
-
-        for (auto waited = glance; isDue && waited < hung && isLearning() && newest() == seen; waited += glance)
-            std::this_thread::sleep_for (glance);
-
-        seen = newest();
     }
 
     void playBlock (const std::function<void (Eigen::RowVectorXd&)>& spoil)
@@ -168,7 +149,7 @@ struct FollowedPlay
     bool isFinite = true;
     std::vector<FocusEvent> events;
     std::int64_t clock = 0;
-    double seen = 0;   // s, the newest window
+    test::FollowedWindows windows;
     double energy = 0; // of what was heard
 };
 } // namespace

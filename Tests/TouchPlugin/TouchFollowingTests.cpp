@@ -1,4 +1,5 @@
 #include "JudgedTouch.h"
+#include "Support/FollowedWindows.h"
 
 #include <antinode_engine/PlateModel.h>
 #include <antinode_focus/Detuning.h>
@@ -57,7 +58,7 @@ struct FollowedTouch
             clock += block;
 
             if (clock % windowSamples < block)
-                awaitWindow();
+                windows.await (static_cast<double> (clock) / test::judgedRate, [this] { return status(); });
         }
 
         return played;
@@ -112,15 +113,6 @@ struct FollowedTouch
         return played;
     }
 
-    void awaitWindow()
-    {
-        const auto seen = status().trace.size();
-        const auto isLearning = status().state != FollowingState::paused && status().state != FollowingState::frozen;
-
-        for (int i = 0; i < 6000 && isLearning && status().trace.size() == seen; ++i)
-            std::this_thread::sleep_for (std::chrono::milliseconds (10));
-    }
-
     /** Error and what the silent finger feels, dB, of the filters as they are. */
     std::pair<double, double> judged()
     {
@@ -143,6 +135,7 @@ struct FollowedTouch
     static constexpr int sensorChannel = TouchProcessor::maximumFingers;
     double scale = -2, energy = 0; // the wires are swapped
     std::int64_t clock = 0;
+    test::FollowedWindows windows;
 };
 
 FollowingSettings velocityAt (double xMillimetres, double yMillimetres)
