@@ -108,9 +108,7 @@ std::vector<Field> fields (FollowRequest& request)
                "What was heard: N x N_s, velocities at the sensors, m/s, then the current of the idle ceramic")
             .as ("signals"),
         Field ("", &request.sampleRate, "Of both, Hz").as ("sample_rate_Hz").within (8000, 2e6),
-        Field ("--sensors", &request.places, "CSV of x and y, mm: the places of the velocity sensors")
-            .as ("sensors_mm")
-            .written ("POINTS.csv"),
+        Field ("--sensors", &request.places, "Places of the velocity sensors").as ("sensors_mm").written ("POINTS.csv"),
         Field ("--idle-ceramic", &request.idleCeramic,
                "Ceramic that is not driven and whose current is the last channel, counted from 1; 0: none")
             .within (0, 4096),

@@ -219,9 +219,7 @@ std::vector<Field> fields (LearnRequest& request)
     std::vector<Field> all {
         focusField (request.focus),
         deviceOfFocusField (request.device),
-        Field ("--sensors", &request.places, "CSV of x and y, mm: the places of the velocity sensors")
-            .as ("sensors_mm")
-            .written ("POINTS.csv"),
+        Field ("--sensors", &request.places, "Places of the velocity sensors").as ("sensors_mm").written ("POINTS.csv"),
         Field (
             "--idle-ceramic", &request.idleCeramics,
             "Ceramic that is not driven and whose current is a channel after the sensors, counted from 1 (repeatable)")
@@ -256,7 +254,7 @@ std::vector<Field> fields (LearnRequest& request)
         deviation ("--distortion-percent", request.distortion,
                    "ceramic's cubic distortion at its largest voltage, %; 0: ceramics are linear"),
         Field ("--seed", &request.bench.seed, "Seed of the simulated device and its noise")
-            .within (0, 9e18)
+            .within (0, 1.8446744073709552e19)
             .with (simulate),
         Field ("--simulated-delay-ms", &request.bench.delay, "Latency of the simulated bench, ms")
             .in (milliseconds)

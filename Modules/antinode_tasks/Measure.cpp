@@ -33,7 +33,7 @@ std::vector<Field> fields (MeasureRequest& request)
     const std::string simulate = "--simulate";
     auto all = fields (request.excitation);
     append (all,
-            { Field ("--points", &request.points, "CSV of the points, x and y in mm")
+            { Field ("--points", &request.points, "Points that are measured")
                   .as ("points_mm")
                   .written ("FILE")
                   .required()

@@ -152,7 +152,7 @@ std::vector<Field> fields (PlaceRequest& request)
         Field ("--step-mm", &r->step, "Spacing of positions, mm").in (millimetres).by ("half a ceramic"),
         Field ("--rim-mm", &r->edgeDistance, "On a plate: largest distance of ceramics from an edge, mm")
             .in (millimetres)
-            .within (0, 1e5)
+            .within (0, 1e12)
             .by ("any"),
         Field ("--free-edge-mm", &r->freeEdge, "Least distance of ceramics from free edges, mm")
             .in (millimetres)

@@ -31,7 +31,7 @@ void requirePlayback (Playback asked, const std::string& file, Playback designed
 } // namespace
 
 DesignedFocus writtenDesign (FocusRequest request, const LeftOpen& opens, const std::filesystem::path& path,
-                             const std::vector<std::string>& assignments)
+                             const std::string& device, const std::vector<std::string>& assignments)
 {
     const auto file = path.string();
     const auto document = readJsonFile (file);
@@ -42,8 +42,8 @@ DesignedFocus writtenDesign (FocusRequest request, const LeftOpen& opens, const 
             throw InputError ("--set " + assignment, "changes a focus that is designed already; allowed with --design: "
                                                      "device.KEY=VALUE, or a new design");
 
-    if (opens.device)
-        request.device = loadDevice (origin.device, assignments);
+    checkAssignments (assignments);
+    request.device = loadDevice (device.empty() ? origin.device : device, assignments);
 
     if (opens.sampleRate)
         request.sampleRate = origin.playback.sampleRate;

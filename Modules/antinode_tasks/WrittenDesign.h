@@ -4,10 +4,10 @@
 
 namespace antinode
 {
-/** What of device and playback a request leaves open. */
+/** What of the playback a request leaves open. */
 struct LeftOpen
 {
-    bool device = false, sampleRate = false, reconstruction = false;
+    bool sampleRate = false, reconstruction = false;
 };
 
 /** A design that was written before, on the device of the request, or, where that is left open, on the one that it
@@ -16,6 +16,6 @@ struct LeftOpen
     @throws InputError  for a file that cannot be read, for a playback that it cannot be played by, and for overridden
                         keys of a focus, which is designed already
     [worker] */
-DesignedFocus writtenDesign (FocusRequest request, const LeftOpen& opens, const std::filesystem::path& file,
-                             const std::vector<std::string>& assignments);
+DesignedFocus writtenDesign (FocusRequest, const LeftOpen&, const std::filesystem::path& file,
+                             const std::string& device, const std::vector<std::string>& assignments);
 } // namespace antinode

@@ -1,4 +1,5 @@
 #include "Commands.h"
+#include "FieldOptions.h"
 
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
@@ -160,15 +161,15 @@ void addDevicesCommand (CLI::App& app)
 {
     auto* command = app.add_subcommand ("devices", "Lists the embedded devices, focuses and materials");
     auto options = std::make_shared<DevicesOptions>();
-    auto* materials =
-        command->add_flag ("--materials", options->showsMaterials,
-                           "Lists the built-in materials with their values, what scatters, and their sources");
-    auto* focuses = command->add_flag ("--focuses", options->showsFocuses, "Lists the embedded focuses");
-    auto* shown = command->add_option ("--show", options->shown,
-                                       "Writes an embedded device, focus or waveforms as JSON, as a starting point for "
-                                       "new ones");
-    materials->excludes (focuses)->excludes (shown);
-    focuses->excludes (shown);
+    addFields (*command,
+               { Field ("--materials", &options->showsMaterials,
+                        "Lists the built-in materials with their values, what scatters, and their sources"),
+                 Field ("--focuses", &options->showsFocuses, "Lists the embedded focuses").without ("--materials"),
+                 Field ("--show", &options->shown,
+                        "Writes an embedded device, focus or waveforms as JSON, as a starting point for new ones")
+                     .written ("NAME")
+                     .without ("--materials")
+                     .without ("--focuses") });
     command->callback ([options] { run (*options); });
 }
 } // namespace antinode

@@ -158,7 +158,12 @@ public:
 
     CLI::Option* operator() (std::optional<std::string>* value) const
     {
-        return word ([value] (const std::string& given) { *value = given; });
+        return word (
+            [value] (const std::string& given)
+            {
+                if (! given.empty()) // Else it says nothing.
+                    *value = given;
+            });
     }
 
     CLI::Option* operator() (std::filesystem::path* value) const
@@ -199,7 +204,12 @@ public:
         };
 
         if (! rows.repeats)
-            return word ([take] (const std::string& given) { take ({ given }); });
+            return word (
+                [take] (const std::string& given)
+                {
+                    if (! given.empty())
+                        take ({ given });
+                });
 
         return command.add_option_function<std::vector<std::string>> (field.option, take, text)
             ->allow_extra_args (false);
@@ -242,8 +252,12 @@ public:
 
     CLI::Option* operator() (Eigen::MatrixX2d* value) const
     {
-        return word ([value, named = documents] (const std::string& file)
-                     { named->reads.push_back ([value, file] { *value = readPointsFile (file); }); });
+        const auto keep = [value, named = documents] (const std::string& file)
+        {
+            if (! file.empty())
+                named->reads.push_back ([value, file] { *value = readPointsFile (file); });
+        };
+        return word (keep)->description ("CSV of x and y, mm: " + text);
     }
 
     CLI::Option* operator() (DeviceDescription* value) const
@@ -254,19 +268,26 @@ public:
         if (! name->empty())
             option->capture_default_str();
 
+        const auto mayBeEmpty = ! field.otherwise.empty();
         documents->readsAfter.push_back (
-            [value, name, usual = field.usual, named = documents]
+            [value, name, option, mayBeEmpty, usual = field.usual, named = documents]
             {
-                const auto found = deviceFor (named->kind, named->readers, *name, usual, named->assignments);
-                *value = loadDevice (found, named->assignments);
+                const auto isGiven = option->count() > 0 && ! (mayBeEmpty && name->empty());
+                *value = loadDevice (
+                    isGiven ? *name : deviceFor (named->kind, named->readers, *name, usual, named->assignments),
+                    named->assignments);
             });
         return option;
     }
 
     CLI::Option* operator() (const OptionalDevice& value) const
     {
-        return word ([value, named = documents] (const std::string& name)
-                     { named->readsAfter.push_back ([value, name] { *value.device = loadDevice (name, {}); }); });
+        return word (
+            [value, named = documents] (const std::string& name)
+            {
+                if (! name.empty())
+                    named->readsAfter.push_back ([value, name] { *value.device = loadDevice (name, {}); });
+            });
     }
 
     CLI::Option* operator() (FocusDescription* value) const

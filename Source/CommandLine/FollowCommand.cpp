@@ -2,6 +2,7 @@
 #include "FieldOptions.h"
 #include "Progress.h"
 
+#include <antinode_base/InputError.h>
 #include <antinode_tasks/FollowFiles.h>
 
 #include <cstdio>
@@ -45,6 +46,10 @@ void addFollowCommand (CLI::App& app)
         [options, read]
         {
             read();
+
+            if (options->request.recorded.empty())
+                throw InputError ("--recorded", "is empty; allowed: a folder with voltages.wav and what was recorded");
+
             Progress progress (options->isQuiet);
             const auto followed = follow (options->request, progress.shown());
             writeDrift (options->folder, followed);

@@ -1,4 +1,5 @@
 #include "Commands.h"
+#include "FieldOptions.h"
 #include "Progress.h"
 
 #include <antinode_charts/Picture.h>
@@ -63,8 +64,7 @@ void addPaperCommand (CLI::App& app)
         "paper",
         "Reproduces the paper's tables and figures on the demonstrator and compares them with the printed numbers");
     auto options = std::make_shared<PaperOptions>();
-    command->add_option ("--out", options->folder, "Output folder")->capture_default_str();
-    command->add_flag ("--quiet", options->isQuiet, "Prints only errors");
+    addFields (*command, { Field ("--out", &options->folder, "Output folder"), quietField (options->isQuiet) });
     command->callback ([options] { reproduce (*options); });
 }
 } // namespace antinode

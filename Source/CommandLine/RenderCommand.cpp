@@ -148,6 +148,16 @@ void renderSeries (const RenderOfFocus& options, const std::vector<std::string>&
                                         + " focuses failed; scores.csv says why");
 }
 
+std::shared_ptr<const DesignedFocus> playedDesign (const RenderOfFocus& options, const CLI::App& command,
+                                                   const std::vector<std::string>& assignments)
+{
+    const auto* const device = command.get_option ("--device");
+    const auto isOpen = [&] (const char* option) { return command.get_option (option)->count() == 0; };
+    return std::make_shared<const DesignedFocus> (
+        writtenDesign (options.request.design, { isOpen ("--rate"), isOpen ("--reconstruction") }, options.designFile,
+                       device->count() > 0 ? device->as<std::string>() : "", assignments));
+}
+
 std::vector<Field> outputFields (RenderOfFocus& options)
 {
     return {
@@ -181,14 +191,12 @@ void addRenderCommand (CLI::App& app)
     command->callback (
         [options, command, read = addFields (*command, all)]
         {
-            const auto isOpen = [&] (const char* option) { return command->get_option (option)->count() == 0; };
             auto& request = options->request;
-            read();
 
-            if (! options->designFile.empty())
-                request.made = std::make_shared<const DesignedFocus> (writtenDesign (
-                    request.design, { isOpen ("--device"), isOpen ("--rate"), isOpen ("--reconstruction") },
-                    options->designFile, *read.assignments));
+            if (options->designFile.empty())
+                read();
+            else
+                request.made = playedDesign (*options, *command, *read.assignments);
 
             if (options->focuses.size() == 1 && options->placesFile.empty())
                 renderOne (*options);

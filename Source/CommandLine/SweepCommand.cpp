@@ -167,11 +167,15 @@ void addSweepCommand (CLI::App& app)
               .without ("--shard"),
           Field ("--tasks", &options->tasks, "Tasks of the Slurm array").within (1, 10000).with ("--slurm"),
           cacheField (options->usesCache), quietField (options->isQuiet) });
-    command->get_option ("--slurm")->expected (0, 1);
+    auto* const slurm = command->get_option ("--slurm")->expected (0, 1);
     command->callback (
-        [options, read]
+        [options, read, slurm]
         {
             read();
+
+            if (slurm->count() > 0) // Alone it stands for no options of sbatch.
+                options->slurm = options->slurm.value_or ("");
+
             sweepPlan (*options);
         });
 }

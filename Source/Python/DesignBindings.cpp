@@ -228,7 +228,9 @@ void bindRendered (py::module_& module)
             "    figures: 'svg', 'pdf': the figures of the report for print.\n\n"
             "Raises:\n    InputError: the folder cannot be written, or a format cannot hold the samples.",
             [] (const Value& value, const Path& folder, const std::string& format, bool hasReport,
-                const std::vector<std::string>& figures) {
+                const py::iterable& wantedFigures)
+            {
+                const auto figures = py::list (wantedFigures).cast<std::vector<std::string>>();
                 workAway ([&] { writeRendered (folder, value.focus, value.outcome, { format, hasReport, figures }); });
             },
             py::arg ("folder"), py::kw_only(), py::arg ("format") = "wav", py::arg ("report") = true,

@@ -16,7 +16,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
-#include <set>
+#include <cctype>
 
 namespace antinode
 {
@@ -42,6 +42,12 @@ void checkWord (const Field& field, const std::string& given)
                                              + "; allowed: " + listed ({ field.words.begin(), field.words.end() }));
 }
 
+py::type_error wrongType (const Field& field, const py::handle& given)
+{
+    return py::type_error (field.keyword + ": is of type "
+                           + py::type::handle_of (given).attr ("__name__").cast<std::string>());
+}
+
 /** @throws TypeError  naming the keyword */
 template <typename Wanted>
 Wanted cast (const Field& field, const py::handle& given)
@@ -52,9 +58,17 @@ Wanted cast (const Field& field, const py::handle& given)
     }
     catch (const py::cast_error&)
     {
-        throw py::type_error (field.keyword + ": is of type "
-                              + py::type::handle_of (given).attr ("__name__").cast<std::string>());
+        throw wrongType (field, given);
     }
+}
+
+/** What an iterable gives, which no text is. @throws TypeError  naming the keyword */
+py::list listOf (const Field& field, const py::handle& given)
+{
+    if (py::isinstance<py::str> (given) || py::isinstance<py::bytes> (given) || ! py::hasattr (given, "__iter__"))
+        throw wrongType (field, given);
+
+    return py::list (py::reinterpret_borrow<py::object> (given));
 }
 
 py::object documents (const char* function)
@@ -69,13 +83,25 @@ std::vector<double> rowOf (const Field& field, const NumberRows& rows, const py:
 
     try
     {
-        if (py::hasattr (given, "__len__"))
+        const auto add = [&] (const py::handle& number)
+        {
+            if (py::isinstance<py::str> (number)) // Which Python would read as a number.
+                throw wrongType (field, number);
+
+            numbers.push_back (py::float_ (py::reinterpret_borrow<py::object> (number)));
+        };
+
+        if (py::hasattr (given, "__len__") && ! py::isinstance<py::str> (given))
             for (const auto& each : given)
-                numbers.push_back (py::float_ (py::reinterpret_borrow<py::object> (each)));
+                add (each);
         else
-            numbers.push_back (py::float_ (py::reinterpret_borrow<py::object> (given)));
+            add (given);
     }
     catch (const py::error_already_set&)
+    {
+        numbers.clear();
+    }
+    catch (const py::type_error&)
     {
         numbers.clear();
     }
@@ -92,7 +118,7 @@ Eigen::MatrixX2d placesOf (const Field& field, const py::handle& given)
 {
     std::vector<std::vector<double>> rows;
 
-    for (const auto& each : given)
+    for (const auto& each : listOf (field, given))
         rows.push_back (rowOf (field, { "x, or x and y, mm", 1, 2, true, {} }, each));
 
     Eigen::MatrixX2d places = Eigen::MatrixX2d::Zero (static_cast<Eigen::Index> (rows.size()), 2);
@@ -128,9 +154,9 @@ public:
     }
 
     void operator() (bool* value) const { *value = cast<bool> (field, given); }
-    void operator() (int* value) const { *value = number<int>(); }
-    void operator() (std::uint64_t* value) const { *value = static_cast<std::uint64_t> (number<std::int64_t>()); }
-    void operator() (double* value) const { *value = number<double>() / field.perUnit; }
+    void operator() (int* value) const { *value = number<int> (*value); }
+    void operator() (std::uint64_t* value) const { *value = number<std::uint64_t>(); }
+    void operator() (double* value) const { *value = number<double> (*value * field.perUnit) / field.perUnit; }
 
     void operator() (std::optional<int>* value) const
     {
@@ -148,7 +174,7 @@ public:
 
     void operator() (std::optional<std::string>* value) const
     {
-        if (isGiven())
+        if (isGiven() && ! given.equal (py::str()))
             *value = word();
     }
 
@@ -158,11 +184,14 @@ public:
             *value = cast<std::filesystem::path> (field, given);
     }
 
-    void operator() (std::vector<std::string>* value) const { *value = cast<std::vector<std::string>> (field, given); }
+    void operator() (std::vector<std::string>* value) const
+    {
+        *value = cast<std::vector<std::string>> (field, listOf (field, given));
+    }
 
     void operator() (std::vector<std::filesystem::path>* value) const
     {
-        *value = cast<std::vector<std::filesystem::path>> (field, given);
+        *value = cast<std::vector<std::filesystem::path>> (field, listOf (field, given));
     }
 
     void operator() (std::vector<double>* value) const { list (value); }
@@ -178,7 +207,7 @@ public:
             return;
         }
 
-        for (const auto& each : given)
+        for (const auto& each : listOf (field, given))
             rows.take (rowOf (field, rows, each));
     }
 
@@ -210,8 +239,9 @@ public:
 
     void operator() (DeviceDescription* value) const
     {
-        const auto source =
-            given.is_none() && reader.is_none() ? py::object (py::str (field.usual)) : given; // A design has its own.
+        // A design has its own.
+        const auto isOfDesign = ! field.otherwise.empty() && given.is_none() && reader.is_none();
+        const auto source = isOfDesign ? py::object (py::str (field.usual)) : given;
         const auto device = reader.is_none() ? documents ("device_of") (source)
                                              : documents ("device_for") (reader, source, field.usual);
         *value = device.attr ("_core").cast<const DeviceValue&>().description;
@@ -231,7 +261,7 @@ public:
 
     void operator() (std::vector<FocusDescription>* value) const
     {
-        for (const auto& each : given)
+        for (const auto& each : listOf (field, given))
             value->push_back (documents ("focus_of") (each).attr ("_core").cast<const FocusValue&>().description);
     }
 
@@ -252,21 +282,54 @@ public:
 private:
     bool isGiven() const { return ! given.is_none(); }
 
+    /** A number within its range; what is there already, the default, may lie beyond it. */
     template <typename Number>
-    Number number() const
+    Number number (std::optional<double> usual = {}) const
     {
-        const auto value = cast<Number> (field, given);
-        checkRange (field, static_cast<double> (value));
-        return value;
+        const auto wide = wideNumber<Number> (given);
+
+        if (wide != usual)
+            checkRange (field, wide);
+
+        return narrowed<Number> (given, wide);
+    }
+
+    template <typename Number>
+    double wideNumber (const py::handle& value) const
+    {
+        if (std::is_integral_v<Number> && ! py::hasattr (value, "__index__"))
+            throw wrongType (field, value);
+
+        return cast<double> (field, value);
+    }
+
+    template <typename Number>
+    Number narrowed (const py::handle& value, double wide) const
+    {
+        if constexpr (std::is_floating_point_v<Number>)
+            return wide;
+        else
+            try
+            {
+                return value.cast<Number>();
+            }
+            catch (const py::cast_error&)
+            {
+                throw InputError (field.keyword, "is " + shown (wide) + "; allowed: whole numbers that are less large");
+            }
     }
 
     template <typename Number>
     void list (std::vector<Number>* value) const
     {
-        *value = cast<std::vector<Number>> (field, given);
+        value->clear();
 
-        for (const auto each : *value)
-            checkRange (field, static_cast<double> (each));
+        for (const auto& each : listOf (field, given))
+        {
+            const auto wide = wideNumber<Number> (each);
+            checkRange (field, wide);
+            value->push_back (narrowed<Number> (each, wide));
+        }
     }
 
     std::string word() const
@@ -377,7 +440,23 @@ std::string parametersOf (const std::vector<Field>& fields, bool isTyped)
 
 std::string argumentText (const Field& field)
 {
-    auto text = field.keyword + ": " + field.text;
+    const auto* const flag = std::get_if<bool*> (&field.value);
+    auto sentence = field.text.substr (0, field.text.find (" (repeatable"));
+
+    if (flag != nullptr && **flag && field.option.starts_with ("--")) // The option takes away.
+        sentence =
+            "False: " + std::string (1, static_cast<char> (std::tolower (sentence.front()))) + sentence.substr (1);
+
+    if (std::holds_alternative<Eigen::MatrixX2d*> (field.value))
+        sentence += ": x, or x and y, mm";
+
+    if (const auto named = sentence.find (": an embedded name"); named != std::string::npos)
+        sentence.replace (named, std::string::npos, ": a name, a file, a dict, or a value of the package");
+
+    if (std::holds_alternative<FocusOrDesign> (field.value))
+        sentence += "; or a :class:`Design`, which is played as it is";
+
+    auto text = field.keyword + ": " + sentence;
 
     if (! field.words.empty())
         text += ": " + listed ({ field.words.begin(), field.words.end() });

@@ -2,6 +2,7 @@
 #include "Keywords.h"
 #include "ResultClass.h"
 
+#include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_learning/LearningVerdict.h>
 #include <antinode_tasks/Design.h>
@@ -52,8 +53,7 @@ void bindSensors (py::module_& module)
             [] (const Value& value)
             {
                 const auto& bits = value.places.choice.bits;
-                return "Sensors: " + std::to_string (bits.size()) + " places, "
-                       + std::to_string (std::lround (bits.back())) + " bits";
+                return "Sensors: " + std::to_string (bits.size()) + " places, " + fixedText (bits.back(), 1) + " bits";
             })
         .has ("places_mm",
               "N x 2: x and y, mm, the most telling place first: ``sensors_mm`` of :func:`antinode.learn`. Of an idle "

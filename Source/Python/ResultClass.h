@@ -89,9 +89,12 @@ class ResultClass
 {
 public:
     ResultClass (pybind11::module_& module, const std::string& name, const char* about)
-        : bound (module, name.c_str(), about)
+        : bound (module, name.c_str(), pybind11::dynamic_attr(), about)
     {
         keepStub ("class " + name + ":\n");
+        // Values do not change: a copy is the value itself.
+        bound.def ("__copy__", [] (const pybind11::object& self) { return self; });
+        bound.def ("__deepcopy__", [] (const pybind11::object& self, const pybind11::dict&) { return self; });
     }
 
     /** A property. Matrices that are given by reference, and blocks of them, are views.

@@ -1,8 +1,8 @@
-#include "ArrayViews.h"
 #include "Bindings.h"
-#include "Work.h"
+#include "ResultClass.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_numerics/ParallelFor.h>
 #include <antinode_sweep/CaseEvaluator.h>
 #include <antinode_sweep/SweepCases.h>
@@ -142,29 +142,72 @@ Swept merge (const SweepPartsValue& value)
             });
 }
 
-std::vector<std::string> errorsOf (const SweptValue& value)
+/** Sentences by the numbers of cases. */
+py::dict errorsOf (const SweptValue& value)
 {
-    std::vector<std::string> sentences (value.table.errors.size());
-    std::transform (value.table.errors.begin(), value.table.errors.end(), sentences.begin(), withKeysAndOptions);
-    return sentences;
+    py::dict errors;
+
+    for (std::size_t i = 0; i < value.table.errors.size(); ++i)
+        if (const auto& error = value.table.errors[i]; ! error.empty())
+            errors[py::int_ (i)] = withKeysAndOptions (error);
+
+    return errors;
+}
+
+/** N_c numbers of a key that varies or of a recorded number. @throws InputError  where there is neither */
+py::array columnOf (const py::object& self, const std::string& name)
+{
+    const auto& table = self.cast<const SweptValue&>().table;
+    const auto keys = sweptKeys (table.inputs.plan);
+    const auto recorded = std::find (table.columns.begin(), table.columns.end(), name);
+
+    if (recorded != table.columns.end())
+        return viewOf (table.values.col (recorded - table.columns.begin()), self);
+
+    if (const auto key = std::find (keys.begin(), keys.end(), name); key != keys.end())
+        return arrayOf (sweptNumbers (table, static_cast<std::size_t> (key - keys.begin())));
+
+    std::vector<std::string_view> allowed (keys.begin(), keys.end());
+    allowed.insert (allowed.end(), table.columns.begin(), table.columns.end());
+    throw InputError ("column", "is " + inQuotes (name) + "; allowed: " + listed (allowed));
 }
 
 void bindSwept (py::module_& module)
 {
-    py::class_<SweptValue, Swept> swept (module, "Swept");
-    swept.def_property_readonly ("name", [] (const SweptValue& value) { return value.table.inputs.plan.name; });
-    swept.def_property_readonly ("keys", [] (const SweptValue& value) { return sweptKeys (value.table.inputs.plan); });
-    swept.def_property_readonly ("columns", [] (const SweptValue& value) { return value.table.columns; });
-    swept.def_property_readonly (
-        "values", viewProperty<SweptValue> ([] (const SweptValue& value) { return &value.table.values; }));
-    swept.def_property_readonly ("errors", &errorsOf);
-    swept.def_property_readonly ("summary", [] (const SweptValue& value)
-                                 { return sweepToJson (value.table, value.summary).dump(); });
-    swept.def ("numbers",
-               [] (const SweptValue& value, std::size_t key) { return arrayOf (sweptNumbers (value.table, key)); });
-    swept.def ("text", [] (const SweptValue& value) { return sweepInWords (value.table, value.summary); });
-    swept.def ("save", [] (const SweptValue& value, const std::string& folder)
-               { workAway ([&] { writeSwept (folder, value.table, value.summary); }); });
+    using Value = SweptValue;
+    ResultClass<Value> (module, "Swept",
+                        "All cases of a sweep: N_c cases, N_k keys that vary, N_r recorded numbers. Made by "
+                        ":func:`antinode.sweep`.")
+        .isShownAs (
+            [] (const Value& value)
+            {
+                return "Swept '" + value.table.inputs.plan.name + "': " + std::to_string (value.table.values.rows())
+                       + " cases, " + std::to_string (value.table.values.cols()) + " results";
+            })
+        .has ("name", "The name of the plan.", [] (const Value& value) { return value.table.inputs.plan.name; })
+        .has ("keys", "N_k keys that vary, with their units: ``focus.targets.0.x_mm``.",
+              [] (const Value& value) { return sweptKeys (value.table.inputs.plan); })
+        .has ("columns", "N_r recorded numbers, with their units, as the head of ``results.csv`` has them.",
+              [] (const Value& value) { return value.table.columns; })
+        .has (
+            "values", "N_c x N_r: what was recorded, in the units of ``columns``; NaN where a case has none. A view.",
+            [](const Value& value) -> const auto& { return value.table.values; })
+        .has ("errors", "The sentences of the cases (from 0) that could not be computed.", &errorsOf, "dict[int, str]")
+        .has ("summary", "All numbers of ``summary.json``: percentiles, correlations, Sobol's indices.",
+              [] (const Value& value) { return Json { sweepToJson (value.table, value.summary).dump() }; })
+        .does (
+            "column(self, name: str) -> Floats",
+            "N_c numbers of a key that varies or of a recorded number, in the unit of its name. Of a key whose values "
+            "are texts, the numbers (from 1) of their rows in the plan.\n\nRaises:\n    InputError: there is no such "
+            "key.",
+            &columnOf, py::arg ("name"))
+        .saves (
+            "folder",
+            "Writes ``results.csv``, ``results.mat``, ``report.html`` and ``summary.json``, the bytes of ``antinode "
+            "sweep``.",
+            [] (const Value& value, const std::filesystem::path& folder)
+            { writeSwept (folder, value.table, value.summary); })
+        .bound.def ("__str__", [] (const Value& value) { return sweepInWords (value.table, value.summary); });
 }
 } // namespace
 

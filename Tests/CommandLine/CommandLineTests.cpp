@@ -299,3 +299,19 @@ TEST_CASE ("A focus plays on the device that it names, and several must name one
            == "antinode: focus 'phone-thumb': is for the device 'phone', and focus 'demonstrator' for 'staple'; "
               "allowed: one device for all, or --device\n");
 }
+
+TEST_CASE ("A design is played on the device that it names, with keys of that one changed", "[command line]")
+{
+    const TemporaryFolder folder;
+    const auto path = [&] (const std::string& name) { return (folder.path() / name).string(); };
+    REQUIRE (runProgram ({ "design", "aluminium-centre", "--out", path ("design"), "--quiet" }).exitCode == 0);
+    const auto run = runProgram ({ "render", "--design", path ("design/design.json"), "--set",
+                                   "device.limits.voltage_V=149", "--out", path ("played"), "--no-report" });
+    INFO (run.errors);
+    CHECK (run.exitCode == 0);
+}
+
+TEST_CASE ("An empty name of a device is none that there is", "[command line]")
+{
+    CHECK (runProgram ({ "modes", "" }).exitCode == 1);
+}

@@ -1,6 +1,8 @@
 """Errors are the sentences of the command line."""
 
+import copy
 import math
+import pickle
 
 import pytest
 
@@ -84,3 +86,35 @@ def test_every_value_shows_what_it_is():
     shown = [value for value in values if not issubclass(value, Exception)]
     assert len(shown) > 15
     assert not [value for value in shown if value.__repr__ is object.__repr__]
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda: an.render(probes_mm="57"),
+        lambda: an.render(probes_mm=["5"]),
+        lambda: an.place(size_mm="10"),
+        lambda: an.place(None),
+        lambda: an.excite("beam", seed=3000000000),
+        lambda: an.tolerance(seed=2**31),
+        lambda: an.learn(simulate=True, sensors_mm=[13], seed=2**65),
+    ],
+)
+def test_what_is_no_number_or_too_large_is_refused(call):
+    with pytest.raises((an.InputError, TypeError)) as error:
+        call()
+    assert "is of type int" not in str(error.value)
+
+
+def test_arguments_may_be_any_iterables_and_the_defaults_themselves():
+    assert an.perform(sample_rate_Hz=24000, sensitivity_mm_s_per_V=0.0).fingers
+    excited = an.excite("beam", levels_V=(float(volts) for volts in range(1, 1 + len(an.device("beam").modes().ceramics))))
+    assert list(excited.levels_V) == [float(volts) for volts in range(1, 1 + len(excited.ceramics))]
+
+
+def test_functions_are_pickled_by_their_names_and_values_are_their_own_copies():
+    assert pickle.loads(pickle.dumps(an.render)) is an.render
+    made = an.design()
+    assert copy.copy(made) is made and copy.deepcopy(made) is made
+    made.note = "kept"
+    assert made.note == "kept"

@@ -18,6 +18,9 @@ Benches:    excite, frf, measure (simulated), identify, retune, sensors, learn, 
 Manual: Docs/Manual/python.md; all keys of files: Docs/FileFormats.md; formulas: Docs/Theory.md.
 """
 
+import inspect as _inspect
+from typing import Any as _Any
+
 from ._antinode import version as __version__
 from ._antinode import (
     Design,
@@ -35,6 +38,7 @@ from ._antinode import (
     Rendered,
     Retuned,
     Sensors,
+    Swept,
     Tolerance,
     Tradeoff,
     design,
@@ -56,7 +60,7 @@ from ._antinode import (
 )
 from ._documents import Device, Focus, Waveforms, device, focus, names, waveforms
 from ._pictures import set_theme
-from ._sweeps import Swept, sweep
+from ._sweeps import sweep
 from .errors import InputError, LimitError
 
 __all__ = [
@@ -107,6 +111,21 @@ __all__ = [
     "waveforms",
 ]
 
+
+def _named(compiled: _Any) -> _Any:
+    """A compiled function as one of the package, so that others can pickle it by its name."""
+
+    def call(*arguments: _Any, **keywords: _Any) -> _Any:
+        return compiled(*arguments, **keywords)
+
+    call.__name__ = call.__qualname__ = compiled.__name__
+    call.__doc__ = compiled.__doc__
+    setattr(call, "__signature__", _inspect.signature(compiled))
+    return call
+
+
 # Users know them by the package.
 for _name in __all__:
+    if _inspect.isbuiltin(globals()[_name]):
+        globals()[_name] = _named(globals()[_name])
     globals()[_name].__module__ = __name__

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import importlib
-import json
 import os
 import tempfile
 import threading
 import time
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Union
+from typing import Any, Callable, Mapping, Optional, Union
 
 from . import _antinode
 from ._checks import within
@@ -17,78 +16,7 @@ from ._documents import Folder, as_json
 from ._progress import Progress, shown
 from .errors import InputError
 
-if TYPE_CHECKING:
-    from ._antinode import Floats
-
-Plan = Union[str, "os.PathLike[str]", Mapping[str, Any]]
-
-
-class Swept:
-    """All cases of a sweep: N_c cases, N_k keys that vary, N_r recorded numbers. Made by :func:`antinode.sweep`."""
-
-    def __init__(self, core: _antinode.Swept) -> None:
-        self._core = core
-        self._summary: Optional[dict[str, Any]] = None
-
-    def __repr__(self) -> str:
-        cases, columns = self.values.shape
-        return f"<antinode.Swept '{self.name}': {cases} cases, {columns} results>"
-
-    def __str__(self) -> str:
-        return self._core.text()
-
-    @property
-    def name(self) -> str:
-        """The name of the plan."""
-        return self._core.name
-
-    @property
-    def keys(self) -> list[str]:
-        """N_k keys that vary, with their units: ``focus.targets.0.x_mm``."""
-        return self._core.keys
-
-    @property
-    def columns(self) -> list[str]:
-        """N_r recorded numbers, with their units, as the head of ``results.csv`` has them."""
-        return self._core.columns
-
-    @property
-    def values(self) -> Floats:
-        """N_c x N_r: what was recorded, in the units of ``columns``; NaN where a case has none. A view."""
-        return self._core.values
-
-    @property
-    def errors(self) -> dict[int, str]:
-        """The sentences of the cases (from 0) that could not be computed."""
-        return {number: sentence for number, sentence in enumerate(self._core.errors) if sentence}
-
-    @property
-    def summary(self) -> dict[str, Any]:
-        """All numbers of ``summary.json``: percentiles, correlations, Sobol's indices."""
-        if self._summary is None:
-            self._summary = json.loads(self._core.summary)
-        return self._summary
-
-    def column(self, name: str) -> Floats:
-        """N_c numbers of a key that varies or of a recorded number, in the unit of its name. Of a key whose values are
-        texts, the numbers (from 1) of their rows in the plan.
-
-        Raises:
-            InputError: there is no such key.
-        """
-        if name in self.columns:
-            return self.values[:, self.columns.index(name)]
-        if name in self.keys:
-            return self._core.numbers(self.keys.index(name))
-        raise InputError(f"column: is '{name}'; allowed: {', '.join(self.keys + self.columns)}")
-
-    def save(self, folder: Folder) -> None:
-        """Writes ``results.csv``, ``results.mat``, ``report.html`` and ``summary.json``, the bytes of ``antinode sweep``.
-
-        Raises:
-            InputError: the folder cannot be written.
-        """
-        self._core.save(os.fspath(folder))
+Plan = Union[Folder, Mapping[str, Any]]
 
 
 def sweep(
@@ -99,7 +27,7 @@ def sweep(
     threads: Optional[int] = None,
     cache: bool = True,
     progress: Progress = None,
-) -> Swept:
+) -> _antinode.Swept:
     """Computes all cases of a plan, as ``antinode sweep``.
 
     Args:
@@ -145,13 +73,13 @@ Show = Optional[Callable[[str, float], object]]
 
 def _filled(
     core: _antinode.Sweep, folder: str, client: Optional[Any], threads: Optional[int], cache: bool, show: Show
-) -> Swept:
+) -> _antinode.Swept:
     parts = core.open(folder)
     if client is None:
         parts.compute(threads, show)
     else:
         _compute_on_workers(parts, core.document, client, cache, show)
-    return Swept(parts.merge())
+    return parts.merge()
 
 
 def _compute_on_workers(parts: _antinode.SweepParts, document: str, client: Any, cache: bool, show: Show) -> None:
