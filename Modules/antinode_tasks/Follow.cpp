@@ -83,7 +83,9 @@ PlayedRecording recordingOf (const FollowRequest& request, const ModalModel& mod
     const auto given = request.voltages.has_value() + request.signals.has_value() + request.sampleRate.has_value();
 
     if (request.recorded.empty() ? given != 3 : given != 0)
-        throw InputError ("recorded", "allowed: a folder, or voltages_V with signals and sample_rate_Hz");
+        throw InputError (
+            "recorded",
+            "is not given alone; allowed: a folder, or from Python voltages_V with signals and sample_rate_Hz");
 
     return request.recorded.empty() ? givenRecording (request, model, sensors)
                                     : readPlayedRecording (request.recorded, model, sensors, request.sensor);

@@ -1,26 +1,17 @@
 #include "Commands.h"
-#include "FieldOptions.h"
-#include "Progress.h"
+#include "FolderTask.h"
 
 #include <antinode_learning/LearningVerdict.h>
 #include <antinode_render/LagOutcome.h>
 #include <antinode_tasks/LearnFiles.h>
 
 #include <cstdio>
-#include <memory>
 
 namespace antinode
 {
 namespace
 {
-struct LearnOptions
-{
-    LearnRequest request;
-    std::filesystem::path folder = "antinode-learnt";
-    bool isQuiet = false;
-};
-
-void print (const std::string& folder, const LearntDevice& device)
+void printLearnt (const LearntDevice& device, const std::string& folder)
 {
     const auto& [setup, settings, learnt] = device;
     std::printf ("%s on %s\n", setup.focus.name.c_str(), setup.nominal.model.name.c_str());
@@ -49,33 +40,22 @@ void print (const std::string& folder, const LearntDevice& device)
 
     std::printf ("Next voltages and what was learnt: %s/voltages.wav, report.html\n", folder.c_str());
 }
+std::vector<Field> audioFields (LearnRequest& request)
+{
+    std::vector<Field> all {
+        Field ("--play", &request.isPlayed,
+               "Plays and records through an audio device: ceramics from output 1 on, sensors as --sensor-input says")
+            .as ({}),
+        Field ("--idle-ma-per-v", &request.idleScale, "Current of an idle ceramic per volt at its input, mA per V")
+            .within (1e-9, 1e9)
+    };
+    append (all, fields (request.wiring));
+    return all;
+}
 } // namespace
 
 void addLearnCommand (CLI::App& app)
 {
-    auto* command = app.add_subcommand (learnText.name, learnText.summary);
-    auto options = std::make_shared<LearnOptions>();
-    auto& request = options->request;
-    auto all = fields (request);
-    append (
-        all,
-        { Field ("--play", &request.isPlayed,
-                 "Plays and records through an audio device: ceramics from output 1 on, sensors as --sensor-input "
-                 "says"),
-          Field ("--idle-ma-per-v", &request.idleScale, "Current of an idle ceramic per volt at its input, mA per V")
-              .within (1e-9, 1e9) });
-    append (all, fields (request.wiring));
-    append (all, { Field ("--out", &options->folder, "Output folder"), quietField (options->isQuiet) });
-    command->callback (
-        [options, read = addFields (*command, all)]
-        {
-            read();
-            Progress progress (options->isQuiet);
-            const auto learnt = learn (options->request, progress.shown());
-            writeLearnt (options->folder, learnt);
-
-            if (! options->isQuiet)
-                print (options->folder.string(), learnt);
-        });
+    addFolderTask (app, learnText, "antinode-learnt", &learn, &writeLearnt, &printLearnt, &audioFields);
 }
 } // namespace antinode

@@ -1,26 +1,19 @@
 #include "Commands.h"
-#include "FieldOptions.h"
-#include "Progress.h"
+#include "FolderTask.h"
 
 #include <antinode_tasks/Map.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <memory>
+#include <functional>
 
 namespace antinode
 {
 namespace
 {
-struct MapOfFocus
+void printMap (const MappedDevice& mapped, const std::string& folder)
 {
-    MapRequest request;
-    std::filesystem::path folder = "antinode-out";
-    bool isQuiet = false;
-};
-
-void printMap (const FocusMap& map, const std::string& folder)
-{
+    const auto& map = mapped.map;
     const auto print =
         [&] (const char* name, const char* unit, const std::function<std::optional<double> (const MapPlace&)>& value)
     {
@@ -56,20 +49,6 @@ void printMap (const FocusMap& map, const std::string& folder)
 
 void addMapCommand (CLI::App& app)
 {
-    auto* command = app.add_subcommand (mapText.name, mapText.summary);
-    auto options = std::make_shared<MapOfFocus>();
-    auto all = fields (options->request);
-    append (all, { Field ("--out", &options->folder, "Output folder"), quietField (options->isQuiet) });
-    command->callback (
-        [options, read = addFields (*command, all)]
-        {
-            read();
-            Progress progress (options->isQuiet);
-            const auto mapped = map (options->request, progress.shown());
-            writeMap (options->folder, mapped);
-
-            if (! options->isQuiet)
-                printMap (mapped.map, options->folder.string());
-        });
+    addFolderTask (app, mapText, "antinode-out", &map, &writeMap, &printMap);
 }
 } // namespace antinode

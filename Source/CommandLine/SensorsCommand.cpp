@@ -1,27 +1,19 @@
 #include "Commands.h"
-#include "FieldOptions.h"
-#include "Progress.h"
+#include "FolderTask.h"
 
 #include <antinode_base/Prefixes.h>
 #include <antinode_tasks/Sensors.h>
 
 #include <cstdio>
-#include <memory>
 #include <string>
 
 namespace antinode
 {
 namespace
 {
-struct SensorsOptions
+void printSensors (const SensorsOnDevice& found, const std::string& folder)
 {
-    SensorRequest request;
-    std::filesystem::path folder = "antinode-sensors";
-    bool isQuiet = false;
-};
-
-void print (const SensorsOptions& options, const ModalModel& model, const SensorPlaces& places)
-{
+    const auto& [model, places] = found;
     std::printf ("%s on %s\n  %6s %10s %10s %16s\n", places.focus.c_str(), places.device.c_str(), "sensor", "x (mm)",
                  "y (mm)", "together (bits)");
 
@@ -34,26 +26,14 @@ void print (const SensorsOptions& options, const ModalModel& model, const Sensor
     }
 
     std::printf ("  at random places: %.1f bits (median)\nPlaces: %s/sensors.csv; report: %s/report.html\n",
-                 places.randomBits, options.folder.c_str(), options.folder.c_str());
+                 places.randomBits, folder.c_str(), folder.c_str());
 }
 } // namespace
 
 void addSensorsCommand (CLI::App& app)
 {
-    auto* command = app.add_subcommand (sensorsText.name, sensorsText.summary);
-    auto options = std::make_shared<SensorsOptions>();
-    auto all = fields (options->request);
-    append (all, { Field ("--out", &options->folder, "Output folder"), quietField (options->isQuiet) });
-    command->callback (
-        [options, read = addFields (*command, all)]
-        {
-            read();
-            Progress progress (options->isQuiet);
-            const auto found = sensors (options->request, progress.shown());
-            writeSensors (options->folder, found.model, found.places);
-
-            if (! options->isQuiet)
-                print (*options, found.model, found.places);
-        });
+    const auto write = [] (const std::filesystem::path& folder, const SensorsOnDevice& found)
+    { writeSensors (folder, found.model, found.places); };
+    addFolderTask (app, sensorsText, "antinode-sensors", &sensors, write, &printSensors);
 }
 } // namespace antinode
