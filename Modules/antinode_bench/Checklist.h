@@ -1,7 +1,6 @@
 #pragma once
 
 #include "AudioBench.h"
-#include "SensorScale.h"
 
 #include <antinode_documents/ExcitationFile.h>
 #include <antinode_model/ModalModel.h>

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace antinode
 {
@@ -268,5 +269,19 @@ WideModel solveWide (const DeviceDescription& device, const ModalModel& known, d
 ModalModel solveDeviceWithStaticShare (const DeviceDescription& device, std::optional<int> modeCount, bool usesCache)
 {
     return withRigidMotion (solveWithCache (device, modeCount, usesCache, SolvedShapes::withStaticShare));
+}
+
+Setup setUp (const DeviceDescription& device, Playback playback, bool usesCache)
+{
+    auto known = solveDevice (device, {}, usesCache);
+    auto wide = widened (device, known, playback.sampleRate, usesCache);
+    const WidenModel widen = [device, usesCache] (const ModalModel& model, double frequency)
+    { return solveWide (device, model, frequency, usesCache); };
+    return { std::move (known), std::move (wide), widen, playback };
+}
+
+WideModel widened (const DeviceDescription& device, const ModalModel& known, double sampleRate, bool usesCache)
+{
+    return solveWide (device, known, frequencyBeyond (known, sampleRate), usesCache);
 }
 } // namespace antinode

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <antinode_focus/SpillOver.h>
+#include <antinode_focus/WideDesign.h>
 #include <antinode_model/ModalModel.h>
+#include <antinode_model/Playback.h>
 #include <antinode_structure/DeviceDescription.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -74,4 +75,20 @@ WideModel solveWide (const DeviceDescription&, const ModalModel& known, double f
    free, behind them the static share of all modes beyond, one more shape per ceramic, where it is a plate.
     @throws InputError  as solveWithStaticShare. [worker] Docs/Theory.md, section 1.8. */
 ModalModel solveDeviceWithStaticShare (const DeviceDescription&, std::optional<int> modeCount, bool usesCache);
+
+/** A device as foci are played on it, solved once. */
+struct Setup
+{
+    ModalModel known; ///< The device's own modes.
+    WideModel wide;   ///< With modes to widePlay times its own.
+    WidenModel widen; ///< How more are found.
+    Playback playback;
+};
+
+/** A device solved with the modes beyond its own that voltages of a sample rate excite.
+    @throws InputError  for anything that cannot be solved [worker] Docs/Theory.md, section 5.2. */
+Setup setUp (const DeviceDescription&, Playback, bool usesCache);
+
+/** The same modes of a device whose own are known. @throws InputError  as setUp [worker] */
+WideModel widened (const DeviceDescription&, const ModalModel& known, double sampleRate, bool usesCache);
 } // namespace antinode

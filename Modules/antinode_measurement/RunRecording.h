@@ -11,4 +11,14 @@ struct RunRecording
     Eigen::VectorXd sync;      ///< N_s, any unit; empty if the sync channel was not recorded.
     Eigen::VectorXd reference; ///< N_s: the ceramic's voltage as it was measured, V; empty: as played.
 };
+
+/** The scale of recorded samples. */
+struct SensorScale
+{
+    double sensitivity = 0;    ///< mm/s per V; 0: unknown.
+    double inputFullScale = 1; ///< Input voltage of a recorded sample of 1, V.
+
+    /** The velocity of a recorded sample of 1, m/s. */
+    double fullScaleVelocity() const { return inputFullScale * sensitivity / 1000; }
+};
 } // namespace antinode

@@ -3,7 +3,7 @@
 #include <antinode_engine/FocusBank.h>
 #include <antinode_focus/BankPlaces.h>
 #include <antinode_focus/WideDesign.h>
-#include <antinode_library/Setup.h>
+#include <antinode_library/Library.h>
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include "SweepInputs.h"
 
 #include <antinode_focus/FieldPeak.h>
-#include <antinode_library/Setup.h>
+#include <antinode_library/Library.h>
 
 #include <memory>
 

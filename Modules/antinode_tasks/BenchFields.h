@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Field.h"
-#include "SensorFields.h"
+#include "RecordedSignals.h"
 
 #include <antinode_bench/AudioBench.h>
 #include <antinode_model/ModalModel.h>

@@ -52,6 +52,21 @@ struct DesignedFocus
 /** @throws InputError, LimitError  as setUp and designOn [worker] */
 DesignedFocus design (const FocusRequest&, const ShowProgress&);
 
+/** What of the playback a request leaves open. */
+struct LeftOpen
+{
+    bool sampleRate = false, reconstruction = false;
+};
+
+/** A design that was written before, on the device of the request, or, where that is left open, on the one that it
+   names.
+    @param assignments  values of keys of the device
+    @throws InputError  for a file that cannot be read, for a playback that it cannot be played by, and for overridden
+                        keys of a focus, which is designed already
+    [worker] */
+DesignedFocus writtenDesign (FocusRequest, const LeftOpen&, const std::filesystem::path& file,
+                             const std::string& device, const std::vector<std::string>& assignments);
+
 /** The modes that a design on a wide model knows: under fingers that it knows those of the loaded surface. [any] */
 ModalModel designedModel (const WideModel&);
 

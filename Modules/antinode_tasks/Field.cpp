@@ -1,9 +1,11 @@
 #include "Field.h"
 
+#include <antinode_base/MessageText.h>
 #include <antinode_base/NumberText.h>
 
 #include <algorithm>
 #include <iterator>
+#include <string_view>
 
 namespace antinode
 {
@@ -97,14 +99,35 @@ Field& Field::without (std::string optionName)
     return *this;
 }
 
+std::string fieldNumber (double number)
+{
+    return formatted ("%.12g", number);
+}
+
+std::string refusalOf (const Field& field, double given)
+{
+    if (! field.range || (given >= field.range->first && given <= field.range->second))
+        return {};
+
+    return "is " + fieldNumber (given) + "; allowed: " + rangeInWords (*field.range);
+}
+
+std::string refusalOf (const Field& field, const std::string& given)
+{
+    const std::vector<std::string_view> allowed (field.words.begin(), field.words.end());
+
+    if (allowed.empty() || std::find (allowed.begin(), allowed.end(), given) != allowed.end())
+        return {};
+
+    return "is " + inQuotes (given) + didYouMean (given, allowed) + "; allowed: " + listed (allowed);
+}
+
 std::string rangeInWords (const std::pair<double, double>& range)
 {
-    const auto shown = [] (double number) { return formatted ("%.10g", number); };
-
     if (range.second >= boundless)
-        return range.first > 0 ? "above 0" : "from " + shown (range.first);
+        return range.first > 0 ? "above 0" : "from " + fieldNumber (range.first);
 
-    return shown (range.first) + " to " + shown (range.second);
+    return fieldNumber (range.first) + " to " + fieldNumber (range.second);
 }
 
 Field cacheField (bool& usesCache)

@@ -120,6 +120,15 @@ struct Field
     bool showsDefault() const { return otherwise.empty() && ! isRequired; }
 };
 
+/** Of a number as many digits as are worth showing. [any] */
+std::string fieldNumber (double);
+
+/** Why a number, in the unit of the boundary, or a word is refused: "is 0; allowed: 1 to 50"; empty: it is allowed.
+ * [any]
+ */
+std::string refusalOf (const Field&, double given);
+std::string refusalOf (const Field&, const std::string& given);
+
 /** "0 to 50", "above 0", "from 0": what is allowed, in the unit of the boundary. [any] */
 std::string rangeInWords (const std::pair<double, double>& range);
 

@@ -58,6 +58,7 @@ DriftSettings settingsOf (const FollowRequest& request, const ModalModel& model,
     settings.largestJump = request.largestJump;
     return settings;
 }
+
 /** Recorded signals that were given as arrays. @throws InputError  where they do not fit the device */
 PlayedRecording givenRecording (const FollowRequest& request, const ModalModel& model, Eigen::Index sensors)
 {

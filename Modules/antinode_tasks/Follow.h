@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Field.h"
-#include "SensorFields.h"
+#include "RecordedSignals.h"
 
 #include <antinode_base/ShowProgress.h>
 #include <antinode_learning/DriftTrace.h>

@@ -2,7 +2,7 @@
 
 #include "Field.h"
 #include "HammerRecordings.h"
-#include "SensorFields.h"
+#include "RecordedSignals.h"
 
 #include <antinode_base/ShowProgress.h>
 #include <antinode_documents/ExcitationFile.h>

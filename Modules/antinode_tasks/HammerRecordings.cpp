@@ -69,7 +69,6 @@ HammerOptions hammerOptions (const HammerRequest& request, const std::string& po
 
     return hammer;
 }
-
 } // namespace
 
 std::vector<Field> fields (HammerRequest& request)

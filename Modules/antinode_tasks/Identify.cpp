@@ -1,6 +1,6 @@
 #include "Identify.h"
 
-#include "OutlineField.h"
+#include "DeviceChecks.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
@@ -71,6 +71,7 @@ std::optional<ResponseUnit> parseDrive (const IdentifyRequest& request)
 
     return unit;
 }
+
 CsvForm toCsvForm (const IdentifyRequest& request)
 {
     return request.form == "real-imag"       ? CsvForm::realImaginary

@@ -1,6 +1,6 @@
 #include "Import.h"
 
-#include "OutlineField.h"
+#include "DeviceChecks.h"
 
 #include <antinode_base/WholeFile.h>
 #include <antinode_documents/ChangedDevice.h>

@@ -42,18 +42,6 @@ Eigen::MatrixXd recordedTable (const std::filesystem::path& path)
     return table.numbers.rightCols (table.numbers.cols() - 1).transpose() / milli;
 }
 
-Eigen::MatrixXd recordedWave (const std::filesystem::path& path, double sampleRate, const SensorScale& sensor)
-{
-    requireSensitivity (sensor);
-    const auto wave = readWaveFile (path);
-
-    if (wave.sampleRate != sampleRate)
-        throw InputError (path.string(), "has " + inWords (wave.sampleRate) + " Hz; allowed: the rate of voltages.wav, "
-                                             + inWords (sampleRate) + " Hz");
-
-    return sensor.fullScaleVelocity() * wave.samples;
-}
-
 /** A table of modes: as they were taken, as they are now, and the deviations before and after. */
 std::string learntTable (const LearntFocus& learnt, const WideModel& nominal, const ModeSpread& before)
 {
@@ -108,20 +96,13 @@ PlayedRecording readPlayedRecording (const std::filesystem::path& folder, const 
                           "has " + std::to_string (wave.samples.rows()) + " channels; allowed: "
                               + std::to_string (model.actuators()) + ", one per ceramic of '" + model.name + "'");
 
-    const auto table = folder / "recorded.csv", sound = folder / "recorded.wav";
-
-    if (! std::filesystem::exists (table) && ! std::filesystem::exists (sound))
-        throw InputError (folder.string(),
-                          "has neither recorded.csv nor recorded.wav: what was recorded while its voltages.wav was "
-                          "played");
-
-    const auto isTable = std::filesystem::exists (table);
-    auto signals = isTable ? recordedTable (table) : recordedWave (sound, wave.sampleRate, sensor);
+    const auto file = recordedFile (folder);
+    const auto signals =
+        file.extension() == ".csv" ? recordedTable (file) : recordedVelocities (file, wave.sampleRate, sensor);
 
     if (signals.rows() != sensors)
-        throw InputError ((isTable ? table : sound).string(), "has " + std::to_string (signals.rows())
-                                                                  + " channels; allowed: " + std::to_string (sensors)
-                                                                  + ", one per sensor");
+        throw InputError (file.string(), "has " + std::to_string (signals.rows())
+                                             + " channels; allowed: " + std::to_string (sensors) + ", one per sensor");
 
     const auto samples = std::min (wave.samples.cols(), signals.cols());
     return { wave.sampleRate,

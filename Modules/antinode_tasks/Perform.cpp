@@ -29,6 +29,7 @@ void writeFingers (OutputFolder& folder, const PerformedWaveforms& performed)
         folder.write (formatted ("finger-%02td.wav", p + 1),
                       encodeWave (played.displacements.row (p), loudest, played.sampleRate));
 }
+
 /** What the voltages of a file do, 1.0 of which is the device's full scale. */
 PerformedWaveforms judgePlayed (const std::filesystem::path& file, const ModalModel& known, const ModalModel& judge,
                                 const WaveformsDescription& description, TrackSettings settings,
@@ -45,7 +46,6 @@ PerformedWaveforms judgePlayed (const std::filesystem::path& file, const ModalMo
 
     return performed;
 }
-
 } // namespace
 
 std::vector<Field> fields (PerformRequest& request)

@@ -85,21 +85,6 @@ Eigen::MatrixXd recordedTable (const std::filesystem::path& path, double sampleR
     const Eigen::MatrixXd samples = table.numbers.rightCols (table.numbers.cols() - 1).transpose();
     return isDisplacement ? Eigen::MatrixXd (samples / micro) : displacementsOf (samples / milli, sampleRate, band);
 }
-
-Eigen::MatrixXd recordedWave (const std::filesystem::path& path, double sampleRate, TrackBand band,
-                              const SensorScale& sensor)
-{
-    if (! (sensor.sensitivity > 0))
-        throw InputError ("--sensitivity-mm-s-per-v", "is missing; give the sensitivity of the sensor in mm/s per V");
-
-    const auto wave = readWaveFile (path);
-
-    if (wave.sampleRate != sampleRate)
-        throw InputError (path.string(), "has " + inWords (wave.sampleRate) + " Hz; allowed: the rate of voltages.wav, "
-                                             + inWords (sampleRate) + " Hz");
-
-    return displacementsOf (sensor.fullScaleVelocity() * wave.samples, sampleRate, band);
-}
 } // namespace
 
 std::vector<RecordedPass> readRecordedPasses (const std::vector<std::filesystem::path>& folders,
@@ -122,15 +107,11 @@ std::vector<RecordedPass> readRecordedPasses (const std::vector<std::filesystem:
         pass.voltages = { { Reconstruction::bandLimited, wave.sampleRate },
                           -trigger / wave.sampleRate,
                           withLags (model, model.fullScaleVoltage * wave.samples, wave.sampleRate) };
-        const auto table = folder / "recorded.csv", sound = folder / "recorded.wav";
-
-        if (! std::filesystem::exists (table) && ! std::filesystem::exists (sound))
-            throw InputError (folder.string(),
-                              "has neither recorded.csv nor recorded.wav: what was recorded while its voltages.wav "
-                              "was played");
-
-        pass.displacements = std::filesystem::exists (table) ? recordedTable (table, wave.sampleRate, band)
-                                                             : recordedWave (sound, wave.sampleRate, band, sensor);
+        const auto file = recordedFile (folder);
+        pass.displacements =
+            file.extension() == ".csv"
+                ? recordedTable (file, wave.sampleRate, band)
+                : displacementsOf (recordedVelocities (file, wave.sampleRate, sensor), wave.sampleRate, band);
     }
 
     return passes;

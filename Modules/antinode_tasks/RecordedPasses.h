@@ -1,6 +1,6 @@
 #pragma once
 
-#include "SensorFields.h"
+#include "RecordedSignals.h"
 
 #include <antinode_render/TrackCorrection.h>
 

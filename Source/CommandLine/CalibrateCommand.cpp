@@ -80,7 +80,6 @@ void calibrate (const CalibrateOptions& options)
     writeCalibration (options.folder, options.excitation.device, model, measurement);
     printCalibration (options.folder, model, measurement);
 }
-
 } // namespace
 
 void addCalibrateCommand (CLI::App& app)

@@ -2,7 +2,6 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
-#include <antinode_base/NumberText.h>
 #include <antinode_documents/ExcitationFile.h>
 #include <antinode_library/Inputs.h>
 #include <antinode_responses/PointsFile.h>
@@ -20,15 +19,9 @@ struct NamedDocuments
 {
     std::vector<std::string> assignments, readers; ///< Values of --set; names of focuses or waveforms.
     LibraryKind kind = LibraryKind::focus;         ///< Of the latter.
-    std::vector<std::function<void()>> reads;      ///< In their order: focuses first, since they name devices.
-    std::vector<std::function<void()>> readsAfter;
+    std::vector<std::function<void()>> reads;      ///< Of all but devices: focuses may name those.
+    std::vector<std::function<void()>> readsAfter; ///< Of devices.
 };
-
-/** A number as exactly as it is worth showing. */
-std::string shown (double number)
-{
-    return formatted ("%.10g", number);
-}
 
 [[noreturn]] void failDevices (const std::string& focus, const std::string& device, const std::string& otherFocus,
                                const std::string& otherDevice)
@@ -93,19 +86,11 @@ std::vector<double> numbersOf (const Field& field, const NumberRows& rows, const
     throw InputError (field.option, "is " + inQuotes (text) + "; allowed: " + rows.allowed);
 }
 
-void checkRange (const Field& field, double given)
+template <typename Given>
+void check (const Field& field, const Given& given)
 {
-    if (field.range && ! (given >= field.range->first && given <= field.range->second))
-        throw CLI::ValidationError (field.option, "is " + shown (given) + "; allowed: " + rangeInWords (*field.range));
-}
-
-void checkWord (const Field& field, const std::string& given)
-{
-    const std::vector<std::string_view> allowed (field.words.begin(), field.words.end());
-
-    if (! allowed.empty() && std::find (allowed.begin(), allowed.end(), given) == allowed.end())
-        throw CLI::ValidationError (field.option, "is " + inQuotes (given) + didYouMean (given, allowed)
-                                                      + "; allowed: " + listed (allowed));
+    if (const auto refusal = refusalOf (field, given); ! refusal.empty())
+        throw CLI::ValidationError (field.option, refusal);
 }
 
 /** Adds one field, by what keeps it. */
@@ -179,7 +164,7 @@ public:
             [value, which = field] (const std::vector<std::string>& given)
             {
                 for (const auto& each : given)
-                    checkWord (which, each);
+                    check (which, each);
 
                 *value = given;
             },
@@ -328,7 +313,7 @@ private:
             field.option,
             [keep, which = field] (const Number& given)
             {
-                checkRange (which, static_cast<double> (given));
+                check (which, static_cast<double> (given));
                 keep (given);
             },
             text);
@@ -337,7 +322,7 @@ private:
             option->type_name (option->get_type_name() + " " + rangeInWords (*field.range));
 
         if (usual && field.showsDefault())
-            option->default_str (shown (static_cast<double> (*usual)));
+            option->default_str (fieldNumber (static_cast<double> (*usual)));
 
         return option;
     }
@@ -350,7 +335,7 @@ private:
             [value, which = field] (const std::vector<Number>& given)
             {
                 for (const auto each : given)
-                    checkRange (which, static_cast<double> (each));
+                    check (which, static_cast<double> (each));
 
                 *value = given;
             },
@@ -363,7 +348,7 @@ private:
             field.option,
             [keep, which = field] (const std::string& given)
             {
-                checkWord (which, given);
+                check (which, given);
                 keep (given);
             },
             text));

@@ -81,6 +81,7 @@ void printOutcome (const HammerMeasurement& measurement)
     std::printf ("%s\n", std::isfinite (coherence) ? formatted ("mean coherence %.4f", coherence).c_str()
                                                    : "no coherence: one hit each");
 }
+
 void refuse (const CLI::App& command, const std::vector<Field>& fields, const std::string& wrong)
 {
     for (const auto& field : fields)

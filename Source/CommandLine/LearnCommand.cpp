@@ -40,6 +40,7 @@ void printLearnt (const LearntDevice& device, const std::string& folder)
 
     std::printf ("Next voltages and what was learnt: %s/voltages.wav, report.html\n", folder.c_str());
 }
+
 std::vector<Field> audioFields (LearnRequest& request)
 {
     std::vector<Field> all {

@@ -10,7 +10,6 @@
 #include <antinode_tasks/FieldNames.h>
 #include <antinode_tasks/Render.h>
 #include <antinode_tasks/RenderSeries.h>
-#include <antinode_tasks/WrittenDesign.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>

@@ -51,7 +51,6 @@ void print (const ModalModel& before, const RetunedModel& retuned)
                      before.ceramics[static_cast<std::size_t> (i)].name.c_str(),
                      percent * retuned.participationScales[i]);
 }
-
 } // namespace
 
 void addRetuneCommand (CLI::App& app)
