@@ -58,15 +58,15 @@ bool isPlate (const ModalModel& model)
     return model.surface.kind == SurfaceKind::plate;
 }
 
-/** Fields over the surface by `plot_values`: names and members of the value, m/s. */
-auto plotsFields (std::vector<std::pair<const char*, const char*>> fields)
+/** The wanted, the represented and a third field over the surface by `plot_values`: members "..._field_m_s". */
+auto plotsFields (const std::string& third)
 {
-    return [fields = std::move (fields)] (const py::object& self, const ModalModel& model, const FocusDesign& design)
+    return [third] (const py::object& self, const ModalModel& model, const FocusDesign& design)
     {
         py::dict values;
 
-        for (const auto& [name, member] : fields)
-            values[name] = self.attr (member).attr ("__mul__") (milli);
+        for (const auto& name : { std::string ("wanted"), std::string ("represented"), third })
+            values[name.c_str()] = self.attr ((name + "_field_m_s").c_str()).attr ("__mul__") (milli);
 
         return plotBy ("plot_values") (isPlate (model), self.attr ("points_m"), values,
                                        design.description.name + " on " + model.name, "mm/s");
@@ -79,9 +79,7 @@ void bindDesigned (py::module_& module)
     constexpr const char* about = "The voltages of a focus, not yet played: N_d drives, N_b ceramics, N_p points. Made "
                                   "by :func:`antinode.design`.\n\n"
                                   "Arrays are read-only views of the memory of the design, which they keep alive.";
-    const auto plot = plotsFields ({ { "wanted", "wanted_field_m_s" },
-                                     { "represented", "represented_field_m_s" },
-                                     { "predicted", "predicted_field_m_s" } });
+    const auto plot = plotsFields ("predicted");
     const auto document = [] (const Value& value)
     { return designToJson (value.made.design, designedModel (value.made.wide)); };
     ResultClass<Value> (module, "Design", about)
@@ -176,9 +174,7 @@ void bindRendered (py::module_& module)
     constexpr const char* about = "A focus as the plate model played it: N_b ceramics, N_s samples, N_p points. Made "
                                   "by :func:`antinode.render`.\n\n"
                                   "Arrays are read-only views of the memory of the render, which they keep alive.";
-    const auto plot = plotsFields ({ { "wanted", "wanted_field_m_s" },
-                                     { "represented", "represented_field_m_s" },
-                                     { "reached", "reached_field_m_s" } });
+    const auto plot = plotsFields ("reached");
     ResultClass<Value> (module, "Rendered", about)
         .isShownAs (
             [] (const Value& value)

@@ -1,8 +1,6 @@
 #include "Keywords.h"
 
-#include "ArrayViews.h"
-#include "Recordings.h"
-#include "ResultClass.h"
+#include "Arrays.h"
 #include "Values.h"
 
 #include <antinode_base/InputError.h>
@@ -16,7 +14,6 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
-#include <cctype>
 
 namespace antinode
 {
@@ -24,22 +21,12 @@ namespace
 {
 namespace py = pybind11;
 
-std::string shown (double number)
+/** @throws InputError  naming the keyword */
+template <typename Given>
+void check (const Field& field, const Given& given)
 {
-    return formatted ("%.12g", number);
-}
-
-void checkRange (const Field& field, double given)
-{
-    if (field.range && ! (given >= field.range->first && given <= field.range->second))
-        throw InputError (field.keyword, "is " + shown (given) + "; allowed: " + rangeInWords (*field.range));
-}
-
-void checkWord (const Field& field, const std::string& given)
-{
-    if (! field.words.empty() && std::find (field.words.begin(), field.words.end(), given) == field.words.end())
-        throw InputError (field.keyword, "is " + inQuotes (given)
-                                             + "; allowed: " + listed ({ field.words.begin(), field.words.end() }));
+    if (const auto refusal = refusalOf (field, given); ! refusal.empty())
+        throw InputError (field.keyword, refusal);
 }
 
 py::type_error wrongType (const Field& field, const py::handle& given)
@@ -289,7 +276,7 @@ private:
         const auto wide = wideNumber<Number> (given);
 
         if (wide != usual)
-            checkRange (field, wide);
+            check (field, wide);
 
         return narrowed<Number> (given, wide);
     }
@@ -315,7 +302,8 @@ private:
             }
             catch (const py::cast_error&)
             {
-                throw InputError (field.keyword, "is " + shown (wide) + "; allowed: whole numbers that are less large");
+                throw InputError (field.keyword,
+                                  "is " + fieldNumber (wide) + "; allowed: whole numbers that are less large");
             }
     }
 
@@ -327,7 +315,7 @@ private:
         for (const auto& each : listOf (field, given))
         {
             const auto wide = wideNumber<Number> (each);
-            checkRange (field, wide);
+            check (field, wide);
             value->push_back (narrowed<Number> (each, wide));
         }
     }
@@ -335,7 +323,7 @@ private:
     std::string word() const
     {
         auto text = cast<std::string> (field, given);
-        checkWord (field, text);
+        check (field, text);
         return text;
     }
 
@@ -343,132 +331,6 @@ private:
     py::object given;
     py::object& reader; ///< The focus or the waveforms, which may name a device.
 };
-
-/** How a field is declared in Python: its type, and its default as a literal. */
-class Declaration
-{
-public:
-    explicit Declaration (const Field& declared) : field (declared)
-    {
-        std::visit (*this, field.value);
-
-        if (field.isRequired)
-            otherwise.clear();
-    }
-
-    void operator() (const bool* value) { say ("bool", *value ? "True" : "False"); }
-    void operator() (const int* value) { say ("int", std::to_string (*value)); }
-    void operator() (const std::uint64_t* value) { say ("int", std::to_string (*value)); }
-    void operator() (const double* value) { say ("float", shown (*value * field.perUnit)); }
-    void operator() (const std::optional<int>*) { say ("Optional[int]", "None"); }
-    void operator() (const std::optional<double>*) { say ("Optional[float]", "None"); }
-    void operator() (const std::string* value) { say ("str", "'" + *value + "'"); }
-    void operator() (const std::optional<std::string>*) { say ("Optional[str]", "None"); }
-    void operator() (const std::filesystem::path*) { say (field.isRequired ? "Folder" : "Optional[Folder]", "None"); }
-    void operator() (const std::vector<std::string>*) { say ("Sequence[str]", "()"); }
-    void operator() (const std::vector<double>*) { say ("Sequence[float]", "()"); }
-    void operator() (const std::vector<int>*) { say ("Iterable[int]", "()"); }
-    void operator() (const WordFlag&) {}
-    void operator() (const TextRows&) {}
-    void operator() (const FocusSeries& value) { (*this) (value.focus); }
-    void operator() (const FocusOrDesign&) { say ("Union[Source, _Focus, Design]", "'" + field.usual + "'"); }
-    void operator() (const Eigen::MatrixX2d*) { say ("Iterable[Probe]", "()"); }
-    void operator() (const std::optional<Eigen::MatrixXd>*) { say ("Any", "None"); }
-    void operator() (const PlayFunction*) { say ("Optional[Callable[[Floats, int], Any]]", "None"); }
-    void operator() (const OptionalDevice&) { say ("Union[None, Source, _Device]", "None"); }
-    void operator() (const FocusDescription*) { say ("Union[Source, _Focus]", "'" + field.usual + "'"); }
-    void operator() (const std::vector<FocusDescription>*) { say ("Iterable[Union[Source, _Focus]]", "()"); }
-    void operator() (const WaveformsDescription*) { say ("Union[Source, _Waveforms]", "'" + field.usual + "'"); }
-    void operator() (const OptionalSheet&) { say ("Union[None, Folder, Excitation]", "None"); }
-
-    void operator() (const std::vector<std::filesystem::path>*)
-    {
-        isVariadic = field.isPositional;
-        say (isVariadic ? "Folder" : "Iterable[Folder]", isVariadic ? "" : "()");
-    }
-
-    void operator() (const NumberRows& rows)
-    {
-        const std::string row = rows.least == 1 ? "Probe" : "Sequence[float]";
-        rows.repeats ? say ("Iterable[" + row + "]", "()") : say ("Optional[" + row + "]", "None");
-    }
-
-    void operator() (const DeviceDescription*)
-    {
-        const auto isNamed = field.otherwise.empty() && ! field.usual.empty();
-        say (field.otherwise.empty() ? "Union[Source, _Device]" : "Union[None, Source, _Device]",
-             isNamed ? "'" + field.usual + "'" : "None");
-    }
-
-    std::string type, otherwise;
-    bool isVariadic = false;
-
-private:
-    void say (std::string declared, std::string usual)
-    {
-        type = std::move (declared);
-        otherwise = std::move (usual);
-    }
-
-    const Field& field;
-};
-
-/** "device, *files, cache=True, progress=None". @param isTyped  with the types, as a stub has it */
-std::string parametersOf (const std::vector<Field>& fields, bool isTyped)
-{
-    std::string positions, named, variadic;
-
-    for (const auto& field : fields)
-    {
-        if (field.keyword.empty())
-            continue;
-
-        const Declaration declaration (field);
-        const auto typed = field.keyword + (isTyped ? ": " + declaration.type : "");
-        const auto whole =
-            typed + (declaration.otherwise.empty() ? "" : (isTyped ? " = " : "=") + declaration.otherwise);
-
-        if (declaration.isVariadic)
-            variadic = "*" + typed + ", ";
-        else
-            (field.isPositional ? positions : named) += whole + ", ";
-    }
-
-    return positions + (variadic.empty() ? "*, " : variadic) + named
-           + (isTyped ? "progress: ShownBy = None" : "progress=None");
-}
-
-std::string argumentText (const Field& field)
-{
-    const auto* const flag = std::get_if<bool*> (&field.value);
-    auto sentence = field.text.substr (0, field.text.find (" (repeatable"));
-
-    if (flag != nullptr && **flag && field.option.starts_with ("--")) // The option takes away.
-        sentence =
-            "False: " + std::string (1, static_cast<char> (std::tolower (sentence.front()))) + sentence.substr (1);
-
-    if (std::holds_alternative<Eigen::MatrixX2d*> (field.value))
-        sentence += ": x, or x and y, mm";
-
-    if (const auto named = sentence.find (": an embedded name"); named != std::string::npos)
-        sentence.replace (named, std::string::npos, ": a name, a file, a dict, or a value of the package");
-
-    if (std::holds_alternative<FocusOrDesign> (field.value))
-        sentence += "; or a :class:`Design`, which is played as it is";
-
-    auto text = field.keyword + ": " + sentence;
-
-    if (! field.words.empty())
-        text += ": " + listed ({ field.words.begin(), field.words.end() });
-
-    if (field.range)
-        text += "; " + rangeInWords (*field.range);
-
-    if (! field.otherwise.empty())
-        text += (Declaration (field).otherwise == "None" ? "; None: " : "; default: ") + field.otherwise;
-
-    return text;
-}
 
 /** The fields of arguments without names, in their order; those after them go to a list of files. */
 struct Positions
@@ -579,27 +441,6 @@ py::object assign (const std::vector<Field>& fields, const std::string& function
                               + py::repr (*given.attr ("__iter__")().attr ("__next__")()).cast<std::string>());
 
     return progress;
-}
-
-std::string documented (const std::string& function, const TaskText& text, const std::vector<Field>& fields,
-                        const std::string& result)
-{
-    keepStub ("def " + function + "(" + parametersOf (fields, true) + ") -> " + result + ": ...\n");
-    auto documentation = function + "(" + parametersOf (fields, false) + ")\n--\n\n" + text.summary + ", as ``antinode "
-                         + text.name + "``.\n\nArgs:\n";
-
-    for (const auto& field : fields)
-        if (! field.keyword.empty())
-            documentation += "    " + argumentText (field) + ".\n";
-
-    return documentation
-           + "    progress: a function of what is being done and its share, 0 to 1; True: a bar of tqdm where it is "
-             "installed.\n\nReturns:\n    :class:`"
-           + result
-           + "`.\n\nRaises:\n    InputError: something that was given is not allowed, or a file cannot be read.\n"
-             "    LimitError: a focus is not reached within the limits of the device.\n"
-             "    KeyboardInterrupt: Ctrl+C.\n\nSource: "
-           + text.source + ".\n";
 }
 
 ShownProgress::ShownProgress (const py::object& progress)

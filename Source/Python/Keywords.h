@@ -1,8 +1,7 @@
 #pragma once
 
+#include "Docstrings.h"
 #include "Work.h"
-
-#include <antinode_tasks/Field.h>
 
 #include <pybind11/pybind11.h>
 
@@ -18,11 +17,6 @@ namespace antinode
     [any] with the GIL */
 pybind11::object assign (const std::vector<Field>&, const std::string& function, const pybind11::args&,
                          const pybind11::kwargs&);
-
-/** The docstring of a task's function, which begins with its signature as inspect reads it; its stub is kept for
-    `_stub`. [any] */
-std::string documented (const std::string& function, const TaskText&, const std::vector<Field>&,
-                        const std::string& result);
 
 /** A function of what is being done and its share, for as long as it lives: what `progress` stands for. [any] with the
     GIL */

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ArrayViews.h"
+#include "Arrays.h"
 #include "Pictures.h"
 #include "Work.h"
 

@@ -1,4 +1,6 @@
-#include "ArrayViews.h"
+#include "Arrays.h"
+
+#include <antinode_base/InputError.h>
 
 #include <pybind11/complex.h>
 
@@ -39,5 +41,24 @@ py::array copyOf (const Eigen::MatrixXcd& values)
 py::array readOnlyVector (const ArrayPlace& place, const py::object& owner)
 {
     return readOnly ({ place.rows }, { place.rowStep * bytes }, place.data, owner);
+}
+
+Eigen::MatrixXd matrixOf (const py::object& source, const std::string& name)
+{
+    const auto array = py::array_t<double, py::array::f_style | py::array::forcecast>::ensure (source);
+
+    if (! array || array.ndim() != 2)
+    {
+        PyErr_Clear();
+        throw InputError (name, "is not an array of two dimensions; allowed: one row per channel, one column per "
+                                "sample");
+    }
+
+    Eigen::MatrixXd matrix = Eigen::Map<const Eigen::MatrixXd> (array.data(), array.shape (0), array.shape (1));
+
+    if (! matrix.allFinite())
+        throw InputError (name, "has numbers that are not finite; allowed: finite ones");
+
+    return matrix;
 }
 } // namespace antinode

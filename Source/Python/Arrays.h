@@ -5,7 +5,7 @@
 #include <pybind11/numpy.h>
 
 #include <memory>
-#include <type_traits>
+#include <string>
 #include <utility>
 
 namespace antinode
@@ -35,23 +35,6 @@ pybind11::array viewOf (const Eigen::DenseBase<Derived>& matrix, const pybind11:
     return Derived::ColsAtCompileTime == 1 ? readOnlyVector (place, owner) : readOnlyArray (place, owner);
 }
 
-/** A property of a bound value whose array is a view of a part of it.
-    @param part  of the value: a pointer to a matrix, or a block of one
-    [any] with the GIL */
-template <typename Value, typename Part>
-auto viewProperty (Part part)
-{
-    return [part] (const pybind11::object& self)
-    {
-        const auto found = part (self.cast<const Value&>());
-
-        if constexpr (std::is_pointer_v<decltype (part (std::declval<const Value&>()))>)
-            return viewOf (*found, self);
-        else
-            return viewOf (found, self);
-    };
-}
-
 /** Numbers that were computed for this call, as an array that owns them. [any] with the GIL */
 template <typename Matrix>
 pybind11::array arrayOf (Matrix computed)
@@ -64,4 +47,9 @@ pybind11::array arrayOf (Matrix computed)
 
 /** Complex numbers as an array of their own that cannot be written. [any] with the GIL */
 pybind11::array copyOf (const Eigen::MatrixXcd&);
+
+/** An array of two dimensions of Python as a matrix. @param name  how errors name it
+    @throws InputError  where it is none, or a number is not finite
+    [any] with the GIL */
+Eigen::MatrixXd matrixOf (const pybind11::object& array, const std::string& name);
 } // namespace antinode
