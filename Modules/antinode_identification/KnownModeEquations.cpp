@@ -1,7 +1,7 @@
 #include "KnownModeEquations.h"
 
 #include <antinode_base/Watch.h>
-#include <antinode_numerics/BoundedStep.h>
+#include <antinode_numerics/GaussNewton.h>
 #include <antinode_numerics/DenseKernels.h>
 
 #include <array>

@@ -6,10 +6,12 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_focus/SpillOver.h>
 #include <antinode_numerics/DenseKernels.h>
+#include <antinode_numerics/GaussNewton.h>
 #include <antinode_numerics/Median.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace antinode
 {
@@ -20,7 +22,6 @@ constexpr double mostUnexplainedShare = 0.3; // of the signals, RMS
 constexpr double leastHeard = 100;           // energy over the noise's: less says nothing of anything
 constexpr double mostClipped = 1e-3;         // of the samples, at the largest value
 constexpr int mostFitSteps = 6;
-constexpr double smallestStep = 0.02; // standard deviations: a step of all parameters that ends the iteration
 
 /** The most probable values in units of what was known before: values = before + factor z. */
 struct Fit
@@ -29,62 +30,37 @@ struct Fit
     double misfit = 0;
 };
 
-/** B = I + R' G R, lower triangle factored, and the gradient: what a step needs. */
-struct Whitened
-{
-    Eigen::MatrixXd factored; ///< P x P
-    Eigen::VectorXd right;    ///< P
-};
-
-Whitened whitened (const DriftProblem::Equations& equations, const Eigen::MatrixXd& factor, double noise)
+/** What the data say of the values in units of what was known before, R z: I + R' G R, lower triangle, and R' g - z. */
+SumOfSquares::Equations whitened (const DriftProblem::Equations& equations, const Eigen::MatrixXd& factor,
+                                  const Eigen::VectorXd& z, double noise)
 {
     const Eigen::MatrixXd rows = factor (equations.parameters, Eigen::all);
     Eigen::MatrixXd product = Eigen::MatrixXd::Zero (rows.rows(), rows.cols());
     addProduct (product, 1 / noise, equations.matrix, rows);
-    Whitened result { Eigen::MatrixXd::Identity (rows.cols(), rows.cols()),
-                      rows.transpose() * equations.right / noise };
-    addTransposedLeft (result.factored, 1, rows, product);
-    factorLower (result.factored);
+    SumOfSquares::Equations result { Eigen::MatrixXd::Identity (rows.cols(), rows.cols()),
+                                     rows.transpose() * equations.right / noise - z,
+                                     equations.misfit / noise + z.squaredNorm() };
+    addTransposedLeft (result.matrix, 1, rows, product);
     return result;
 }
 
-/** Gauss and Newton's method. @param noise  how many noises each residual stands for */
+/** @param noise  how many noises each residual stands for */
 Fit fitted (const DriftProblem& problem, const DriftEstimate& before, double noise)
 {
-    Eigen::VectorXd z = Eigen::VectorXd::Zero (before.values.size());
-    const auto valuesAt = [&] (const Eigen::VectorXd& at) -> Eigen::VectorXd
-    { return before.values + before.factor * at; };
-    const auto objective = [&] (const Eigen::VectorXd& at)
-    { return problem.misfit (valuesAt (at)) / noise + at.squaredNorm(); };
-    auto best = objective (z);
-    Fit fit;
-
-    for (int i = 0; i < mostFitSteps; ++i)
-    {
-        const auto equations = problem.equations (valuesAt (z));
-        const auto linear = whitened (equations, before.factor, noise);
-        const Eigen::VectorXd step = solveFactored (linear.factored, linear.right - z);
-        auto share = 1.0;
-        auto isBetter = false;
-
-        for (int halvings = 0; halvings < 4 && ! isBetter; ++halvings, share /= 2)
-            if (const auto reached = objective (z + share * step); reached < best)
-            {
-                best = reached;
-                z += share * step;
-                isBetter = true;
-            }
-
-        // The covariance is that of the last values but a step that hardly moved.
-        fit.estimate.factor = before.factor;
-        solveLowerTransposedFromRight (linear.factored, fit.estimate.factor);
-
-        if (! isBetter || step.norm() < smallestStep)
-            break;
-    }
-
-    fit.estimate.values = valuesAt (z);
-    fit.misfit = (best - z.squaredNorm()) * noise;
+    const auto valuesAt = [&] (const Eigen::VectorXd& z) -> Eigen::VectorXd
+    { return before.values + before.factor * z; };
+    const SumOfSquares squares { [&] (const Eigen::VectorXd& z)
+                                 { return whitened (problem.equations (valuesAt (z)), before.factor, z, noise); },
+                                 [&] (const Eigen::VectorXd& z)
+                                 { return problem.misfit (valuesAt (z)) / noise + z.squaredNorm(); } };
+    GaussNewtonSettings settings;
+    settings.mostSteps = mostFitSteps;
+    settings.bounds.setConstant (before.values.size(), std::numeric_limits<double>::infinity());
+    settings.stepLimits = settings.bounds;
+    const auto found = smallestSum (squares, Eigen::VectorXd::Zero (before.values.size()), settings);
+    Fit fit { { valuesAt (found.values), before.factor }, (found.sum - found.values.squaredNorm()) * noise };
+    // The covariance is that of the last values but a step that hardly moved.
+    solveLowerTransposedFromRight (found.factored, fit.estimate.factor);
     return fit;
 }
 

@@ -3,8 +3,8 @@
 #include "HeardParameters.h"
 #include "ResponseEquations.h"
 
-#include <antinode_numerics/BoundedStep.h>
 #include <antinode_numerics/DenseKernels.h>
+#include <antinode_numerics/GaussNewton.h>
 #include <antinode_numerics/ParallelFor.h>
 
 #include <algorithm>
@@ -19,11 +19,9 @@ namespace
 {
 constexpr int mostSteps = 12; // of each length of the records
 constexpr int mostStepsOfResponses = 30;
-constexpr double firstReach = 1, farthestReach = 8; // half widths that responses let a frequency move in a step
 constexpr double gainOfEach =
     0.05; // of the objective for each unknown, in squares of deviations: a step that gains less is the last
 constexpr int stepsToJudge = 4;         // by then what comes close has left the worst behind
-constexpr double smallestShare = 0.125; // of a step
 constexpr double clearlyTold = 10;      // of the prior's information
 constexpr double farthestFrequency = 8; // deviations: a mode that runs away explains by chance and does not come back
 constexpr double largestDistortion = 1.0 / 3; // at the largest voltage: beyond it a ceramic would move back
@@ -190,51 +188,36 @@ LearningState LearningProblem::state (const Eigen::VectorXd& values) const
 LearningSolution LearningProblem::solve (const Unknowns& unknowns, Eigen::VectorXd values, double time, double enough,
                                          double furthest, double hopeless) const
 {
-    const Eigen::VectorXd bounds = farthest (unknowns.places).cwiseMin (furthest),
-                          limits = stepLimits (unknowns.places);
-    const auto steps = prior.responses != nullptr ? mostStepsOfResponses : mostSteps;
-    // Responses have no lengths to grow by: what their last step leaves stays.
-    const auto least =
-        prior.responses != nullptr ? gainOfEach : gainOfEach * static_cast<double> (unknowns.parameters.size());
-    LearningSolution solution { std::move (values), {}, 0, 0, 0, 0 };
-    auto gain = std::numeric_limits<double>::infinity(), objective = 0.0, reach = firstReach;
-    BoundedStep step;
-    Eigen::MatrixXd matrix; // the step's
-
-    for (int i = 0; i < steps && gain >= least + enough * objective; ++i)
+    const auto count = static_cast<double> (unknowns.parameters.size());
+    const auto hasResponses = prior.responses != nullptr;
+    const auto with = [&] (const Eigen::VectorXd& some)
     {
-        step.factored.resize (0, 0); // before others of its size are made
-        matrix.resize (0, 0);
-        auto linear = equations (unknowns, solution.values, time);
-        const auto before = linear.misfit.residual + solution.values.squaredNorm();
-        objective = before;
-        const Eigen::VectorXd from = solution.values (unknowns.places);
-        step = boundedStep (linear.matrix, linear.right, (-bounds - from).cwiseMax (-reach * limits),
-                            (bounds - from).cwiseMin (reach * limits));
-        matrix = std::move (linear.matrix);
-
-        for (auto share = 1.0; share >= smallestShare && ! (objective < before); share /= 2)
-        {
-            auto next = solution.values;
-            next (unknowns.places) = (from + share * step.change).cwiseMax (-bounds).cwiseMin (bounds);
-            const auto reached = misfit (state (next), time).residual + next.squaredNorm();
-
-            if (reached < before)
-            {
-                objective = reached;
-                solution.values = next;
-                reach = share < 1 ? share * reach : std::min (2 * reach, farthestReach);
-            }
-        }
-
-        gain = before - objective;
-
-        if (i + 1 == stepsToJudge && distanceOf (objective, linear.misfit.samples) > hopeless)
-            break;
-    }
-
-    solution.factored = factorOfFree (std::move (step), std::move (matrix));
-    return solution;
+        auto all = values;
+        all (unknowns.places) = some;
+        return all;
+    };
+    auto samples = 0.0;
+    SumOfSquares squares;
+    squares.equations = [&] (const Eigen::VectorXd& some) -> SumOfSquares::Equations
+    {
+        const auto all = with (some);
+        auto linear = equations (unknowns, all, time);
+        samples = linear.misfit.samples;
+        return { std::move (linear.matrix), std::move (linear.right), linear.misfit.residual + all.squaredNorm() };
+    };
+    squares.sum = [&] (const Eigen::VectorXd& some)
+    {
+        const auto all = with (some);
+        return misfit (state (all), time).residual + all.squaredNorm();
+    };
+    GaussNewtonSettings settings { hasResponses ? mostStepsOfResponses : mostSteps,
+                                   // Responses have no lengths to grow by: what their last step leaves stays.
+                                   hasResponses ? gainOfEach : gainOfEach * count, enough,
+                                   farthest (unknowns.places).cwiseMin (furthest), stepLimits (unknowns.places),
+                                   [&] (int steps, double sum)
+                                   { return steps == stepsToJudge && distanceOf (sum, samples) > hopeless; } };
+    auto found = smallestSum (squares, values (unknowns.places), settings);
+    return { with (found.values), std::move (found.factored), 0, 0, 0, 0 };
 }
 
 LearningSolution LearningProblem::finish (Eigen::VectorXd values, double time) const

@@ -1,4 +1,4 @@
-#include <antinode_numerics/BoundedStep.h>
+#include <antinode_numerics/GaussNewton.h>
 #include <antinode_numerics/RandomNumbers.h>
 
 #include <catch2/catch.hpp>
@@ -58,4 +58,31 @@ TEST_CASE ("A step within bounds fulfils the conditions of Karush, Kuhn and Tuck
 
     CHECK (held > (bound < 0.5 ? count / 2 : 3));
     CHECK (held < (bound < 0.5 ? count : count - 3));
+}
+
+TEST_CASE ("The most probable value lies between the data and what was known, or at its bound", "[numerics]")
+{
+    // 100 (x^2 - 1)^2 + x^2 has its minimum where x^2 = 1 - 1 / 200. The full step from 0.1 leads up.
+    const auto sum = [] (const Eigen::VectorXd& x) { return 100 * std::pow (x[0] * x[0] - 1, 2) + x[0] * x[0]; };
+    const SumOfSquares squares { [&] (const Eigen::VectorXd& x) -> SumOfSquares::Equations
+                                 {
+                                     const auto change = 20 * x[0], residual = 10 * (1 - x[0] * x[0]);
+                                     return { Eigen::MatrixXd::Constant (1, 1, 1 + change * change),
+                                              Eigen::VectorXd::Constant (1, change * residual - x[0]), sum (x) };
+                                 },
+                                 sum };
+    const auto one = [] (double value) { return Eigen::VectorXd::Constant (1, value).eval(); };
+    const auto from = GENERATE (0.1, 0.6, 3.0);
+    CAPTURE (from);
+    GaussNewtonSettings settings { 30, 1e-12, 0, one (10), one (1e9), {} };
+    const auto free = smallestSum (squares, one (from), settings);
+    CHECK (free.values[0] == Approx (std::sqrt (0.995)).epsilon (1e-6));
+    CHECK (free.factored (0, 0) == Approx (std::sqrt (1 + 400 * 0.995)).epsilon (1e-4));
+    CHECK (free.sum == Approx (sum (free.values)));
+
+    settings.bounds = one (0.5);
+    CHECK (smallestSum (squares, one (0.1), settings).values[0] == Approx (0.5));
+
+    settings = { 30, 1e-12, 0, one (10), one (1e9), [] (int steps, double) { return steps == 1; } };
+    CHECK (smallestSum (squares, one (3), settings).values[0] > 1.1);
 }

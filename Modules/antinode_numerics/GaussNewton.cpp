@@ -1,9 +1,10 @@
-#include "BoundedStep.h"
+#include "GaussNewton.h"
 
 #include "DenseKernels.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace antinode
@@ -162,5 +163,48 @@ Eigen::MatrixXd factorOfFree (BoundedStep step, Eigen::MatrixXd matrix)
 
     factorLower (matrix);
     return matrix;
+}
+
+SmallestSum smallestSum (const SumOfSquares& squares, Eigen::VectorXd start, const GaussNewtonSettings& settings)
+{
+    constexpr double smallestShare = 0.125; // of a step
+    constexpr double farthestReach = 8;
+    const auto& bounds = settings.bounds;
+    SmallestSum result { std::move (start), {}, 0 };
+    BoundedStep step;
+    Eigen::MatrixXd matrix; // the step's
+    auto gain = std::numeric_limits<double>::infinity(), reach = 1.0;
+
+    for (int i = 0; i < settings.mostSteps && gain >= settings.leastGain + settings.leastShare * result.sum; ++i)
+    {
+        step.factored.resize (0, 0); // before others of its size are made
+        matrix.resize (0, 0);
+        auto linear = squares.equations (result.values);
+        const Eigen::VectorXd from = result.values;
+        result.sum = linear.sum;
+        step = boundedStep (linear.matrix, linear.right, (-bounds - from).cwiseMax (-reach * settings.stepLimits),
+                            (bounds - from).cwiseMin (reach * settings.stepLimits));
+        matrix = std::move (linear.matrix);
+
+        for (auto share = 1.0; share >= smallestShare && ! (result.sum < linear.sum); share /= 2)
+        {
+            const Eigen::VectorXd next = (from + share * step.change).cwiseMax (-bounds).cwiseMin (bounds);
+
+            if (const auto reached = squares.sum (next); reached < linear.sum)
+            {
+                result.sum = reached;
+                result.values = next;
+                reach = share < 1 ? share * reach : std::min (2 * reach, farthestReach);
+            }
+        }
+
+        gain = linear.sum - result.sum;
+
+        if (settings.isHopeless && settings.isHopeless (i + 1, result.sum))
+            break;
+    }
+
+    result.factored = factorOfFree (std::move (step), std::move (matrix));
+    return result;
 }
 } // namespace antinode
