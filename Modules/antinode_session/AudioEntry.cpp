@@ -40,29 +40,25 @@ std::span<const FocusEvent> AudioEntry::gather (std::span<const FocusEvent> even
 }
 
 template <typename Sample>
-void AudioEntry::process (const OutputBlock<Sample>& block, std::span<const FocusEvent> events,
-                          const PlayControls& controls)
+void AudioEntry::process (const AudioBlock<Sample>& block, const PlayControls& controls)
 {
     if (auto* const current = paths.current (preparedRate, block.count))
     {
         auto now = controls;
         now.isArmed = controls.isArmed && ! paths.isLeaving();
         fullScale = current->model().fullScaleVoltage;
-        current->process (block, held.process (gather (events), block.count, 0, paths.isLeaving()), now, levels, trace);
+        current->process (block, held.process (gather (block.events), block.count, 0, paths.isLeaving()), now, levels,
+                          trace);
         return;
     }
 
     // Triggers wait for a path, but not beyond a stop.
-    if (std::any_of (events.begin(), events.end(), isStop))
+    if (std::any_of (block.events.begin(), block.events.end(), isStop))
         stopCount.stopByNote();
 
-    for (auto* const channel : block.ceramics)
-        std::fill_n (channel, block.count, Sample (0));
-
-    for (auto* const channel : block.monitor)
-        std::fill_n (channel, block.count, Sample (0));
+    block.silence();
 }
 
-template void AudioEntry::process (const OutputBlock<float>&, std::span<const FocusEvent>, const PlayControls&);
-template void AudioEntry::process (const OutputBlock<double>&, std::span<const FocusEvent>, const PlayControls&);
+template void AudioEntry::process (const AudioBlock<float>&, const PlayControls&);
+template void AudioEntry::process (const AudioBlock<double>&, const PlayControls&);
 } // namespace antinode

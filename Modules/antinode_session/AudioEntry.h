@@ -19,10 +19,9 @@ namespace antinode
 class AudioEntry
 {
 public:
-    /** Plays a block, or silence while there is no path. [audio thread] allocates nothing, locks nothing
-        @param events  what came with the block; a note's place is its number */
+    /** Plays a block, or silence while there is no path. [audio thread] allocates nothing, locks nothing */
     template <typename Sample>
-    void process (const OutputBlock<Sample>&, std::span<const FocusEvent> events, const PlayControls&);
+    void process (const AudioBlock<Sample>&, const PlayControls&);
 
     /** The sample rate from the next block on; what plays comes to rest. Nothing may be processing. [worker] */
     void prepare (double sampleRate);

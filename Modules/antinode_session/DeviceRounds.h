@@ -11,6 +11,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -26,8 +27,6 @@ template <typename Snapshot, typename Settings, typename Format>
 class DeviceRounds
 {
 public:
-    using Owner = SessionOwner<Settings>;
-
     /** Another device; the one before plays on until it is solved. [any but the audio thread] */
     void load (std::shared_ptr<const DeviceDocument> device)
     {
@@ -52,20 +51,28 @@ public:
         return published;
     }
 
-    /** Ends the thread as soon as its work lets it. [any but the audio thread] */
-    void stop()
+    /** Ends the thread as soon as its work lets it; from now on nothing of the owner is called. [any but the audio
+        thread] */
+    void leave()
     {
-        const std::lock_guard lock (mutex);
-        isStopping = true;
-        wake.notify_all();
+        {
+            const std::lock_guard lock (mutex);
+            isStopping = true;
+            wake.notify_all();
+        }
+        owner.leave();
     }
 
 protected:
     static constexpr auto interval = std::chrono::milliseconds (4);  ///< Between looks at the parameters.
     static constexpr auto patience = std::chrono::milliseconds (40); ///< Of a host that prepares us.
 
-    DeviceRounds (std::shared_ptr<const DeviceDocument> device, std::shared_ptr<Owner> ownerToAsk)
-        : owner (std::move (ownerToAsk)), nextDevice (std::move (device)),
+    /** @param readSettings  gives what the parameters say
+        @param onChange      called after the snapshot has changed. Both are called on the session's thread and must not
+                             block */
+    DeviceRounds (DeviceDocument device, std::function<Settings()> readSettings, std::function<void()> onChange)
+        : owner (std::move (readSettings), std::move (onChange)),
+          nextDevice (std::make_shared<const DeviceDocument> (std::move (device))),
           published (std::make_shared<const Snapshot>())
     {
     }
@@ -158,10 +165,10 @@ protected:
             const std::lock_guard lock (mutex);
             published = std::make_shared<const Snapshot> (present);
         }
-        owner->tell();
+        owner.tell();
     }
 
-    std::shared_ptr<Owner> owner;
+    SessionOwner<Settings> owner;
     std::atomic<bool> isStopping { false };
     mutable std::mutex mutex; ///< For the next lines, and what ends a wait is changed under it.
     std::condition_variable wake, settled;

@@ -3,6 +3,7 @@
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_documents/FingerFile.h>
 #include <antinode_documents/FocusFile.h>
+#include <antinode_library/Library.h>
 
 #include <nlohmann/json.hpp>
 
@@ -28,6 +29,18 @@ FocusDocument readFocusDocument (const nlohmann::json& json, const std::string& 
     }
 
     return { json.dump(), readFocus (json, source) };
+}
+
+std::shared_ptr<const DeviceDocument> deviceDocument (const std::string& nameOrFile)
+{
+    return std::make_shared<const DeviceDocument> (readDeviceDocument (
+        loadDocument (LibraryKind::device, nameOrFile), documentSource (LibraryKind::device, nameOrFile)));
+}
+
+std::shared_ptr<const FocusDocument> focusDocument (const std::string& nameOrFile)
+{
+    return std::make_shared<const FocusDocument> (readFocusDocument (loadDocument (LibraryKind::focus, nameOrFile),
+                                                                     documentSource (LibraryKind::focus, nameOrFile)));
 }
 
 bool sayTheSame (const FocusDocument& one, const FocusDocument& other)

@@ -45,6 +45,10 @@ DeviceDocument readDeviceDocument (const nlohmann::json&, const std::string& sou
     @throws InputError  as readFocus and readDesignOrigin [worker] */
 FocusDocument readFocusDocument (const nlohmann::json&, const std::string& source);
 
+/** Of the library, or of a file. @throws InputError  as loadDocument and the readers [worker] */
+std::shared_ptr<const DeviceDocument> deviceDocument (const std::string& nameOrFile);
+std::shared_ptr<const FocusDocument> focusDocument (const std::string& nameOrFile);
+
 /** @throws InputError  as readDesignOrigin [worker] */
 std::shared_ptr<const DesignDocument> readDesignDocument (const nlohmann::json&, const std::string& source);
 

@@ -1,7 +1,6 @@
 #include "PlatePath.h"
 
-#include "BlockPeak.h"
-
+#include <antinode_graph/InputNode.h>
 #include <antinode_graph/LagNode.h>
 #include <antinode_graph/PlateModelNode.h>
 #include <antinode_graph/PlateNode.h>
@@ -29,7 +28,7 @@ std::unique_ptr<SurfaceNode> surfaceNode (const std::shared_ptr<const ModalModel
 
 PlatePath::PlatePath (std::shared_ptr<const ModalModel> model, double sampleRateToUse,
                       const Eigen::MatrixXd& probeShapes, SurfaceModel kind)
-    : modes (std::move (model)), rate (sampleRateToUse),
+    : DevicePath (std::move (model), sampleRateToUse),
       stride (std::max (1, static_cast<int> (std::lround (rate * capturedSeconds / (capturedFrames - 1))))),
       capture (std::make_shared<MotionCapture> (static_cast<int> (modes->coordinates()), capturedFrames,
                                                 captureMemory * rate / stride)),
@@ -43,19 +42,15 @@ PlatePath::PlatePath (std::shared_ptr<const ModalModel> model, double sampleRate
     plate = graph.add (surfaceNode (modes, probeShapes, kind), acting);
     graph.setOutputs ({ limiter, plate });
     graph.prepare ({ rate, stride });
-}
-
-bool PlatePath::isSilentAfter (std::int64_t passed) const
-{
-    return static_cast<double> (passed) > 2 * LimiterNode::rampTime * rate;
+    play (graph, limiter);
 }
 
 template <typename Sample>
-void PlatePath::process (const SurfaceBlock<Sample>& block, const SurfaceControls& controls, bool isLeaving,
+void PlatePath::process (const AudioBlock<Sample>& block, const SurfaceControls& controls, bool isLeaving,
                          LevelMeters& meters)
 {
-    static_cast<InputNode&> (graph.node (input)).give (block.voltages, modes->fullScaleVoltage);
-    limiterNode().setArmed (controls.isPlaying);
+    static_cast<InputNode&> (graph.node (input)).give (block.inputs, modes->fullScaleVoltage);
+    setArmed (controls.isPlaying);
     gain = controls.gain;
 
     if (isLeaving && ! std::exchange (isRamping, true))
@@ -64,38 +59,29 @@ void PlatePath::process (const SurfaceBlock<Sample>& block, const SurfaceControl
     graph.processParts<double> (block.count, {},
                                 [&] (int offset, int count, Outputs outputs)
                                 {
-                                    write (block, offset, count, outputs);
-                                    note (count, outputs, meters);
+                                    const auto velocities = outputs + modes->actuators();
+                                    writeVelocities (block, offset, count, velocities);
+                                    noteVoltages (count, outputs, meters);
+
+                                    for (int i = 0; i < probes; ++i)
+                                        meters.noteProbe (i, static_cast<float> (absolutePeak (velocities[i], count)));
+
                                     captureMotion (count);
                                 });
-    meters.noteState (limiterNode().limiter().isMuted(), 0);
+    meters.noteState (limiters().front()->limiter().isMuted(), 0);
 }
 
 template <typename Sample>
-void PlatePath::write (const SurfaceBlock<Sample>& block, int offset, int count, Outputs outputs)
+void PlatePath::writeVelocities (const AudioBlock<Sample>& block, int offset, int count, Outputs velocities)
 {
     for (int i = 0; i < probes; ++i)
-        std::copy_n (outputs[modes->actuators() + i], count, heard.channel (static_cast<std::size_t> (i)));
+        std::copy_n (velocities[i], count, heard.channel (static_cast<std::size_t> (i)));
 
     ramp.process (heard.channels(), probes, count);
 
-    for (std::size_t i = 0; i < block.probes.size(); ++i)
+    for (std::size_t i = 0; i < block.outputs.size(); ++i)
         for (int n = 0; n < count; ++n)
-            block.probes[i][offset + n] = i < probes ? static_cast<Sample> (heard.channel (i)[n] * gain) : Sample (0);
-}
-
-void PlatePath::note (int count, Outputs outputs, LevelMeters& meters)
-{
-    const auto ceramics = static_cast<int> (modes->actuators());
-
-    for (int i = 0; i < std::min (ceramics, LevelMeters::ceramics); ++i)
-    {
-        meters.notePeak (i, static_cast<float> (absolutePeak (outputs[i], count)));
-        meters.addLimited (i, limiterNode().takeLimitedSamples (static_cast<std::size_t> (i)));
-    }
-
-    for (int i = 0; i < probes; ++i)
-        meters.noteProbe (i, static_cast<float> (absolutePeak (outputs[ceramics + i], count)));
+            block.outputs[i][offset + n] = i < probes ? static_cast<Sample> (heard.channel (i)[n] * gain) : Sample (0);
 }
 
 /** Parts are a step long or, at the end of a block, shorter: frames lie within a part of where they belong. */
@@ -111,6 +97,6 @@ void PlatePath::captureMotion (int count)
     capture->write (velocities);
 }
 
-template void PlatePath::process (const SurfaceBlock<float>&, const SurfaceControls&, bool, LevelMeters&);
-template void PlatePath::process (const SurfaceBlock<double>&, const SurfaceControls&, bool, LevelMeters&);
+template void PlatePath::process (const AudioBlock<float>&, const SurfaceControls&, bool, LevelMeters&);
+template void PlatePath::process (const AudioBlock<double>&, const SurfaceControls&, bool, LevelMeters&);
 } // namespace antinode

@@ -1,31 +1,16 @@
 #pragma once
 
-#include "LevelMeters.h"
+#include "DevicePath.h"
 
 #include <antinode_engine/MotionCapture.h>
 #include <antinode_engine/SafetyRamp.h>
-#include <antinode_graph/InputNode.h>
-#include <antinode_graph/LimiterNode.h>
-#include <antinode_graph/NodeGraph.h>
 #include <antinode_graph/SurfaceNode.h>
-#include <antinode_model/ModalModel.h>
 
-#include <cstdint>
 #include <memory>
-#include <span>
+#include <vector>
 
 namespace antinode
 {
-/** Samples of a block on their way through a surface. */
-template <typename Sample>
-struct SurfaceBlock
-{
-    std::span<const Sample* const>
-        voltages;                    ///< Channel k is ceramic k, 1.0 its device's full scale; missing ones get 0 V.
-    std::span<Sample* const> probes; ///< Velocities, 1.0 = 1 m/s; may be the same memory as the voltages.
-    int count = 0;                   ///< Samples.
-};
-
 /** What takes effect at once. */
 struct SurfaceControls
 {
@@ -40,9 +25,8 @@ enum class SurfaceModel
     quick       ///< Without delay and at a fraction of the cost, within some parts in a thousand.
 };
 
-/** One device at one sample rate under voltages from outside: limiter, surface, probes, and the motion that is
-    captured. Made by the session, played by the audio thread, freed by the session. */
-class PlatePath
+/** A device under voltages from outside: limiter, surface, probes, and the motion that is captured. */
+class PlatePath : public DevicePath
 {
 public:
     static constexpr int probes = LevelMeters::probes;
@@ -55,7 +39,6 @@ public:
     PlatePath (std::shared_ptr<const ModalModel>, double sampleRate, const Eigen::MatrixXd& probeShapes, SurfaceModel);
 
     SurfaceNode& surface() { return static_cast<SurfaceNode&> (graph.node (plate)); }
-    double sampleRate() const { return rate; }
     std::int64_t latencySamples()
     {
         return surface().latencySamples() + (acting == limiter ? 0 : graph.node (acting).latencySamples());
@@ -71,25 +54,13 @@ public:
         @param isLeaving  from now on the velocities ramp to 0
         [audio thread] allocates nothing, locks nothing */
     template <typename Sample>
-    void process (const SurfaceBlock<Sample>&, const SurfaceControls&, bool isLeaving, LevelMeters&);
-
-    /** Whether a ramp to silence that began so many samples ago has ended. [audio thread] */
-    bool isSilentAfter (std::int64_t samples) const;
-
-    /** The surface at rest. [audio thread] */
-    void reset() { graph.reset(); }
+    void process (const AudioBlock<Sample>&, const SurfaceControls&, bool isLeaving, LevelMeters&);
 
 private:
-    using Outputs = const double* const*; ///< Of the graph: the voltages behind the limiter, then the probes.
-
-    LimiterNode& limiterNode() { return static_cast<LimiterNode&> (graph.node (limiter)); }
     template <typename Sample>
-    void write (const SurfaceBlock<Sample>&, int offset, int count, Outputs);
-    void note (int count, Outputs, LevelMeters&);
+    void writeVelocities (const AudioBlock<Sample>&, int offset, int count, Outputs velocities);
     void captureMotion (int count);
 
-    std::shared_ptr<const ModalModel> modes;
-    double rate;
     int stride; ///< Samples from one captured frame to the next.
     NodeGraph graph;
     int input = 0, limiter = 0, acting = 0,

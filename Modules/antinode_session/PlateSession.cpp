@@ -1,65 +1,137 @@
 #include "PlateSession.h"
 
-#include "PlateWorker.h"
+#include "FocusSettings.h"
 
+#include <antinode_base/InputError.h>
+#include <antinode_library/Library.h>
+
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace antinode
 {
-PlateSession::PlateSession (DeviceDocument device, ReadSettings read, std::function<void()> changed)
-    : owner (std::make_shared<SessionOwner<SurfaceSettings>> (std::move (read), std::move (changed))),
-      worker (std::make_shared<PlateWorker> (std::make_shared<const DeviceDocument> (std::move (device)), owner)),
-      thread ([kept = worker] { kept->run(); })
+namespace
 {
-}
+/** @throws InputError  where it cannot be solved, or has nothing that moves it */
+std::shared_ptr<const ModalModel> solved (const DeviceDocument& document)
+{
+    auto model = std::make_shared<const ModalModel> (solveDevice (document.description, {}, true));
 
-PlateSession::~PlateSession()
-{
-    worker->stop();
-    owner->leave();
-}
+    if (model->actuators() == 0)
+        throw InputError ("device '" + document.description.name + "'", "has no ceramics, so nothing can move it");
 
-void PlateSession::load (std::shared_ptr<const DeviceDocument> device)
+    return model;
+}
+} // namespace
+
+PlateSession::PlateSession (DeviceDocument device, std::function<SurfaceSettings()> readSettings,
+                            std::function<void()> onChange)
+    : DeviceRounds (std::move (device), std::move (readSettings), std::move (onChange))
 {
-    worker->load (std::move (device));
 }
 
 void PlateSession::prepare (double sampleRate)
 {
-    worker->prepare (sampleRate);
+    preparedRate = sampleRate;
+    paths.reset();
+    ask (sampleRate);
+}
+
+void PlateSession::run()
+{
+    const WatchScope scope ([this] { return ! isStopping; });
+
+    try
+    {
+        for (std::uint64_t round = 0; awaitRound (round);)
+        {
+            step();
+            finish (round);
+        }
+    }
+    catch (const Cancelled&)
+    {
+        // It is stopping.
+    }
+
+    paths.clear();
+}
+
+/** One round: what was loaded, then the sample rate, then what the parameters say. */
+void PlateSession::step()
+{
+    if (takeDocument())
+        solve (solved);
+
+    paths.collect();
+    const auto before = std::exchange (settings, owner.settings (settings));
+    const auto wanted = askedFor();
+
+    if (present.model == nullptr || ! (wanted > 0))
+        return;
+
+    if (isModelNew || rate != wanted || before.model != settings.model)
+        buildPath (wanted);
+    else if (path != nullptr && before.probes != settings.probes)
+        moveProbes();
+}
+
+void PlateSession::buildPath (double sampleRate)
+{
+    rate = sampleRate; // Also where it fails: nobody shall try it again every few milliseconds.
+    isModelNew = false;
+
+    try
+    {
+        auto made = std::make_unique<PlatePath> (present.model, sampleRate, probeShapes(), settings.model);
+        path = made.get();
+        latency = path->latencySamples();
+        tail = static_cast<double> (latency) / sampleRate + std::log (1000) / decayRates (*present.model).minCoeff();
+        present.motion = path->motion();
+        present.captureStep = path->captureStep();
+        paths.give (std::move (made));
+    }
+    catch (const std::exception& failure)
+    {
+        present.error = failure.what();
+    }
+
+    publish();
+}
+
+void PlateSession::moveProbes()
+{
+    path->surface().setProbes (probeShapes());
+}
+
+Eigen::MatrixXd PlateSession::probeShapes() const
+{
+    const auto& model = *present.model;
+    Eigen::MatrixXd shapes (PlatePath::probes, model.coordinates());
+
+    for (std::size_t i = 0; i < settings.probes.size(); ++i)
+    {
+        const auto [x, y] = placeFromPercent (model.surface, static_cast<double> (settings.probes[i].first),
+                                              static_cast<double> (settings.probes[i].second));
+        shapes.row (static_cast<Eigen::Index> (i)) = shapesAt (model, x, y);
+    }
+
+    return shapes;
 }
 
 template <typename Sample>
-void PlateSession::process (const SurfaceBlock<Sample>& block, const SurfaceControls& controls)
+void PlateSession::process (const AudioBlock<Sample>& block, const SurfaceControls& controls)
 {
-    worker->process (block, controls);
+    if (auto* const current = paths.current (preparedRate, block.count))
+    {
+        current->process (block, controls, paths.isLeaving(), levels);
+        return;
+    }
+
+    block.silence();
 }
 
-void PlateSession::waitUntilSettled()
-{
-    worker->waitUntilSettled();
-}
-
-std::shared_ptr<const PlateSnapshot> PlateSession::snapshot() const
-{
-    return worker->snapshot();
-}
-
-LevelMeters& PlateSession::meters()
-{
-    return worker->meters();
-}
-
-std::int64_t PlateSession::latencySamples() const
-{
-    return worker->latencySamples();
-}
-
-double PlateSession::tailSeconds() const
-{
-    return worker->tailSeconds();
-}
-
-template void PlateSession::process (const SurfaceBlock<float>&, const SurfaceControls&);
-template void PlateSession::process (const SurfaceBlock<double>&, const SurfaceControls&);
+template void PlateSession::process (const AudioBlock<float>&, const SurfaceControls&);
+template void PlateSession::process (const AudioBlock<double>&, const SurfaceControls&);
 } // namespace antinode

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "Documents.h"
+#include "DeviceRounds.h"
+#include "PathExchange.h"
 #include "PlatePath.h"
-#include "SessionOwner.h"
-
-#include <antinode_base/BackgroundThread.h>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -35,28 +34,15 @@ struct PlateSnapshot
     std::string error; ///< Why the device that was asked for cannot be played: then the one before plays on.
 };
 
-class PlateWorker;
-
-/** A device as an effect: solves it, and lets voltages from outside move it. As with Session, a thread of its own
-    looks at the parameters every few milliseconds, solves and builds; paths go to the audio thread by one atomic
-    exchange; and nothing here waits longer than a moment for that thread, which may end after the session. */
-class PlateSession
+/** A device as an effect: solves it, and lets voltages from outside move it. A thread of its own looks at the
+   parameters every few milliseconds, solves and builds; paths go to the audio thread by one atomic exchange; and
+   nothing here waits longer than a moment for that thread. SessionThread makes it, for it lasts as long as its thread.
+ */
+class PlateSession : public DeviceRounds<PlateSnapshot, SurfaceSettings, double>
 {
 public:
-    using ReadSettings = std::function<SurfaceSettings()>;
-
-    /** Starts solving.
-        @param readSettings  gives what the parameters say; called on the session's thread, must not block
-        @param onChange      called on the session's thread after latency or snapshot have changed
-        [worker] starts a thread */
-    PlateSession (DeviceDocument, ReadSettings readSettings, std::function<void()> onChange);
-    ~PlateSession();
-    PlateSession (const PlateSession&) = delete;
-    PlateSession& operator= (const PlateSession&) = delete;
-
-    /** Another device. Returns at once; the present one moves on until the other is solved. [any but the audio
-        thread] */
-    void load (std::shared_ptr<const DeviceDocument>);
+    /** Starts with solving. @param readSettings, onChange  as DeviceRounds [worker] */
+    PlateSession (DeviceDocument, std::function<SurfaceSettings()> readSettings, std::function<void()> onChange);
 
     /** Brings the surface to rest, and asks for the path of a sample rate. Waits for it, but only a moment. Nothing
         may be processing. [worker] */
@@ -64,25 +50,32 @@ public:
 
     /** Moves the surface, or gives silence where there is none yet. [audio thread] allocates nothing, locks nothing */
     template <typename Sample>
-    void process (const SurfaceBlock<Sample>&, const SurfaceControls&);
+    void process (const AudioBlock<Sample>&, const SurfaceControls&);
 
-    /** Waits until all that was loaded is taken up, with what the parameters say. [any but a real-time audio thread] */
-    void waitUntilSettled();
-
-    /** [any but the audio thread] */
-    std::shared_ptr<const PlateSnapshot> snapshot() const;
-
-    LevelMeters& meters();
+    LevelMeters& meters() { return levels; }
 
     /** By how many samples the velocities lag the voltages. [any] */
-    std::int64_t latencySamples() const;
+    std::int64_t latencySamples() const { return latency; }
 
     /** The latency and 60 dB of the slowest mode's decay, s. [any] */
-    double tailSeconds() const;
+    double tailSeconds() const { return tail; }
+
+    /** Works until it is stopped; then no path is left. Nothing may be processing by then. [session's thread] */
+    void run();
 
 private:
-    std::shared_ptr<SessionOwner<SurfaceSettings>> owner;
-    std::shared_ptr<PlateWorker> worker;
-    BackgroundThread thread;
+    void step();
+    void buildPath (double sampleRate);
+    void moveProbes();
+    Eigen::MatrixXd probeShapes() const;
+
+    double rate = 0;           ///< Hz, of the path.
+    PlatePath* path = nullptr; ///< The newest one, which `paths` owns.
+
+    PathExchange<PlatePath> paths;
+    LevelMeters levels;
+    std::atomic<double> preparedRate { 0 }, tail { 1 };
+    /** Until a path is there: that of the surface as rendered, the reach of its reconstruction. */
+    std::atomic<std::int64_t> latency { 15 };
 };
 } // namespace antinode

@@ -53,12 +53,11 @@ public:
        processing. [worker] */
     void prepare (double sampleRate);
 
-    /** Plays a block, or silence while there is no path. [audio thread] allocates nothing, locks nothing
-        @param events  what came with the block; a note's place is its number */
+    /** Plays a block, or silence while there is no path. [audio thread] allocates nothing, locks nothing */
     template <typename Sample>
-    void process (const OutputBlock<Sample>& block, std::span<const FocusEvent> events, const PlayControls& controls)
+    void process (const AudioBlock<Sample>& block, const PlayControls& controls)
     {
-        entry->process (block, events, controls);
+        entry->process (block, controls);
     }
 
     /** Waits until all that was loaded is taken up, with what the parameters say, and the focus at its own place is

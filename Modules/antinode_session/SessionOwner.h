@@ -1,6 +1,9 @@
 #pragma once
 
+#include <antinode_base/BackgroundThread.h>
+
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <utility>
 
@@ -53,5 +56,32 @@ private:
     std::function<void()> onChange;
     std::recursive_mutex mutex; ///< What is called may load another device and so on.
     bool hasLeft = false;
+};
+
+/** A session with a thread of its own. Both may go on for a moment after this: then the thread ends as soon as its work
+    looks at the watch, and frees the session.
+    @tparam Session  run() works until leave() */
+template <typename Session>
+class SessionThread
+{
+public:
+    /** Starts it. @param arguments  the session's [worker] */
+    template <typename... Arguments>
+    explicit SessionThread (Arguments&&... arguments)
+        : session (std::make_shared<Session> (std::forward<Arguments> (arguments)...)),
+          thread ([kept = session] { kept->run(); })
+    {
+    }
+
+    ~SessionThread() { session->leave(); }
+    SessionThread (const SessionThread&) = delete;
+    SessionThread& operator= (const SessionThread&) = delete;
+
+    Session& operator*() const { return *session; }
+    Session* operator->() const { return session.get(); }
+
+private:
+    std::shared_ptr<Session> session;
+    BackgroundThread thread;
 };
 } // namespace antinode

@@ -8,18 +8,41 @@
 #include <nlohmann/json.hpp>
 
 #include <utility>
+#include <vector>
 
 namespace antinode
 {
 namespace
 {
-constexpr auto schema = "antinode.state/1";
 constexpr int maximumMutes = 64;
 constexpr double farthest = 1e12; // of a parameter: each cuts it to its own range
+
+const char* schemaOf (SessionRole role)
+{
+    return role == SessionRole::foci      ? "antinode.state/1"
+           : role == SessionRole::fingers ? "antinode.touch/1"
+                                          : "antinode.plate/1";
+}
+
+std::vector<std::string_view> keysOf (SessionRole role)
+{
+    std::vector<std::string_view> keys { "schema", "device", "parameters" };
+
+    if (role != SessionRole::plate)
+        keys.insert (keys.end(), { "focus", "design", "tracking" });
+
+    if (role == SessionRole::foci)
+        keys.insert (keys.end(), { "muted_ceramics", "open_graph" });
+
+    return keys;
+}
 
 std::map<std::string, double> readParameters (const JsonValue& value, const nlohmann::json& json)
 {
     std::map<std::string, double> parameters;
+
+    if (! value.isObject())
+        value.fail ("must be an object of numbers");
 
     for (const auto& [key, ignored] : json.items())
         parameters[key] = value.required (key).number ({ -farthest, farthest });
@@ -36,27 +59,46 @@ std::uint64_t readMutes (const JsonValue& value)
 
     return mutes;
 }
-} // namespace
 
-/** Documents go in as they are: a written design has megabytes, and hosts ask often. */
-std::string stateToText (const SessionState& state)
+std::string mutesToText (std::uint64_t mutes)
 {
     auto muted = nlohmann::ordered_json::array();
 
     for (int i = 0; i < maximumMutes; ++i)
-        if (((state.mutes >> i) & 1U) != 0)
+        if (((mutes >> i) & 1U) != 0)
             muted.push_back (i + 1);
 
-    const auto& design = state.focus->design;
-    auto text = R"({"schema":")" + std::string (schema) + R"(","device":)" + state.device->text;
-    text += R"(,"focus":)" + state.focus->text;
+    return muted.dump();
+}
+
+std::shared_ptr<const FocusDocument> readFocus (const JsonObject& state, const nlohmann::json& json)
+{
+    state.required ("focus");
+    auto read = readFocusDocument (json["focus"], "state: focus");
+
+    if (state.has ("design"))
+        read.design = readDesignDocument (json["design"], "state: design");
+
+    return std::make_shared<const FocusDocument> (std::move (read));
+}
+} // namespace
+
+/** Documents go in as they are: a written design has megabytes, and hosts ask often. */
+std::string stateToText (const SessionState& state, SessionRole role)
+{
+    auto text = R"({"schema":")" + std::string (schemaOf (role)) + R"(","device":)" + state.device->text;
 
     // What is as ever is left out: such a state loads in versions that do not know of it.
-    if (design != nullptr)
-        text += R"(,"design":)" + design->text;
+    if (state.focus != nullptr)
+        text += R"(,"focus":)" + state.focus->text;
+
+    if (state.focus != nullptr && state.focus->design != nullptr)
+        text += R"(,"design":)" + state.focus->design->text;
 
     text += R"(,"parameters":)" + nlohmann::ordered_json (state.parameters).dump();
-    text += R"(,"muted_ceramics":)" + muted.dump();
+
+    if (role == SessionRole::foci)
+        text += R"(,"muted_ceramics":)" + mutesToText (state.mutes);
 
     if (state.isGraphOpen)
         text += R"(,"open_graph":true)";
@@ -67,29 +109,23 @@ std::string stateToText (const SessionState& state)
     return text + "}";
 }
 
-SessionState readState (std::string_view text)
+SessionState readState (std::string_view text, SessionRole role)
 {
     const auto json = parseJson (text, "state");
     const JsonValue value (json, "state");
-    value.requireSchema (schema);
-    const auto state = value.object (
-        { "schema", "device", "focus", "design", "parameters", "muted_ceramics", "open_graph", "tracking" });
+    value.requireSchema (schemaOf (role));
+    const auto state = value.object (keysOf (role));
+    const auto device = state.required ("device"), parameters = state.required ("parameters");
     const auto openGraph = state.optional ("open_graph"), following = state.optional ("tracking");
-    const auto device = state.required ("device"), focus = state.required ("focus"),
-               parameters = state.required ("parameters");
+    const auto hasFocus = role == SessionRole::foci || state.has ("focus") || state.has ("design");
 
-    if (! parameters.isObject())
-        parameters.fail ("must be an object of numbers");
-
-    auto read = readFocusDocument (json["focus"], "state: focus");
-
-    if (state.has ("design"))
-        read.design = readDesignDocument (json["design"], "state: design");
+    if (! device.isObject())
+        device.fail ("must be a device");
 
     return { std::make_shared<const DeviceDocument> (readDeviceDocument (json["device"], "state: device")),
-             std::make_shared<const FocusDocument> (std::move (read)),
+             hasFocus ? readFocus (state, json) : nullptr,
              readParameters (parameters, json["parameters"]),
-             readMutes (state.required ("muted_ceramics")),
+             role == SessionRole::foci ? readMutes (state.required ("muted_ceramics")) : 0,
              openGraph && openGraph->boolean(),
              following ? followingFromJson (*following) : FollowingSettings() };
 }

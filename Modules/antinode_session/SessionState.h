@@ -11,21 +11,30 @@
 
 namespace antinode
 {
+/** What a plug-in plays: each has states of its own. */
+enum class SessionRole
+{
+    foci,    ///< Foci by notes: Antinode.
+    fingers, ///< A waveform for each finger, and foci on top: Antinode Touch.
+    plate    ///< The surface itself: Antinode Plate.
+};
+
 /** All that a host, a preset or an undo keeps: the whole device and focus, never only a path. */
 struct SessionState
 {
     std::shared_ptr<const DeviceDocument> device;
-    std::shared_ptr<const FocusDocument> focus;
-    std::map<std::string, double> parameters; ///< By their identifiers, in the units of their texts.
-    std::uint64_t mutes = 0;                  ///< Bit i: ceramic i + 1 is muted.
-    bool isGraphOpen = false;                 ///< Whether it plays by separate nodes.
-    FollowingSettings following = {};
+    std::shared_ptr<const FocusDocument> focus; ///< Of fingers none: notes play nothing; a plate has none.
+    std::map<std::string, double> parameters;   ///< By their identifiers, in the units of their texts.
+    std::uint64_t mutes = 0;                    ///< Bit i: ceramic i + 1 is muted. Of foci only, as the next line.
+    bool isGraphOpen = false;                   ///< Whether it plays by separate nodes.
+    FollowingSettings following = {};           ///< A plate has none.
 };
 
-/** A state as text: JSON of schema antinode.state/1; numbers come back to the bit. [worker] Docs/FileFormats.md */
-std::string stateToText (const SessionState&);
+/** A state as text: JSON of schema antinode.state/1, antinode.touch/1 or antinode.plate/1; numbers come back to the
+   bit. [worker] Docs/FileFormats.md */
+std::string stateToText (const SessionState&, SessionRole = SessionRole::foci);
 
-/** @throws InputError  "state: ...", where the text is no state, or one of a version that this program does not know
-    [worker] */
-SessionState readState (std::string_view text);
+/** @throws InputError  "state: ...", where the text is no state of this role, or one of a version that this program
+   does not know [worker] */
+SessionState readState (std::string_view text, SessionRole = SessionRole::foci);
 } // namespace antinode

@@ -1,10 +1,10 @@
 #include "TouchPath.h"
 
-#include "BlockPeak.h"
 #include "NoteBank.h"
 #include "TouchDesigner.h"
 
 #include <antinode_graph/ChannelGainNode.h>
+#include <antinode_graph/InputNode.h>
 #include <antinode_graph/OverlaidFociNode.h>
 #include <antinode_graph/SlewNode.h>
 
@@ -21,7 +21,7 @@ constexpr int longestTouchPart = 64; // samples: few enough that all ceramics' s
 
 TouchPath::TouchPath (std::shared_ptr<const ModalModel> model, int inputs, TrackBand band,
                       const FilterSettings& settings, const SkinThreshold& threshold, Listening listeningTo)
-    : modes (std::move (model)), rate (settings.sampleRate),
+    : DevicePath (std::move (model), settings.sampleRate),
       traceRate (rate / static_cast<double> (filterTiming (band, settings).factor)), fingers (inputs),
       listening (std::move (listeningTo))
 {
@@ -45,16 +45,15 @@ TouchPath::TouchPath (std::shared_ptr<const ModalModel> model, int inputs, Track
         last = graph.add (std::move (muted), last);
     }
 
-    limiter = graph.add (std::make_unique<LimiterNode> (limits), last);
+    const auto limiter = graph.add (std::make_unique<LimiterNode> (limits), last);
     graph.setOutputs ({ limiter });
     const auto lags = addLagOutputs (graph, modes, limiter);
 
     if (lags)
         graph.setOutputs ({ limiter, lags.limiter });
 
-    outputLimiter = lags.limiterIn (graph);
     graph.prepare ({ rate, longestTouchPart });
-    late = lags.lateSamples (graph);
+    play (graph, limiter, lags);
 
     for (std::size_t i = 0; i < latencies.size(); ++i)
         latencies[i] = filterTiming (band, TouchDesigner::filterSettings (rate, i)).latencySamples();
@@ -84,20 +83,8 @@ std::span<const FocusEvent> TouchPath::placed (std::span<const FocusEvent> notes
     return { placedNotes.data(), count };
 }
 
-void TouchPath::setFocusLimits (const Eigen::VectorXd& volts)
-{
-    for (auto* const node : { &limiterNode(), outputLimiter })
-        if (node != nullptr)
-            node->setFocusLimits (volts);
-}
-
-bool TouchPath::isSilentAfter (std::int64_t passed) const
-{
-    return static_cast<double> (passed) > 2 * LimiterNode::rampTime * rate;
-}
-
 template <typename Sample>
-void TouchPath::process (const TouchBlock<Sample>& block, const TouchControls& controls, EventDelay& delay,
+void TouchPath::process (const AudioBlock<Sample>& block, const TouchControls& controls, EventDelay& delay,
                          bool isLeaving, LevelMeters& meters, FingerMeters& fingerMeters)
 {
     for (int j = 0; j < fingers; ++j)
@@ -106,25 +93,22 @@ void TouchPath::process (const TouchBlock<Sample>& block, const TouchControls& c
     noteInputs (block, fingerMeters);
     fingerMeters.traceRate.store (traceRate, std::memory_order_relaxed);
     static_cast<InputNode&> (graph.node (input)).give (block.inputs, 1);
-
-    for (auto* const node : { &limiterNode(), outputLimiter })
-        if (node != nullptr)
-            node->setArmed (controls.isArmed && ! isLeaving);
-
+    setArmed (controls.isArmed && ! isLeaving);
     const auto due =
         delay.process (placed (block.events, controls), block.count, latencies[controls.latency], isLeaving);
-    graph.processParts<double> (block.count, due,
-                                [&] (int offset, int count, Outputs outputs)
-                                {
-                                    // Before its samples are written over.
-                                    if (listening.tap != nullptr)
-                                        listening.tap->write (
-                                            outputs, block.sensor != nullptr ? block.sensor + offset : nullptr, count);
+    graph.processParts<double> (
+        block.count, due,
+        [&] (int offset, int count, Outputs outputs)
+        {
+            // Before its samples are written over.
+            if (listening.tap != nullptr)
+                listening.tap->write (outputs, block.sensor != nullptr ? block.sensor + offset : nullptr, count);
 
-                                    write (block, offset, count, outputs);
-                                    note (count, outputs, meters);
-                                    noteMotions (fingerMeters);
-                                });
+            const auto asked = limiters().back() != nullptr ? outputs + modes->actuators() : outputs;
+            writeVoltages (block, offset, count, asked);
+            noteVoltages (count, asked, meters);
+            noteMotions (fingerMeters);
+        });
 
     for (int j = 0; j < fingers; ++j)
     {
@@ -133,12 +117,12 @@ void TouchPath::process (const TouchBlock<Sample>& block, const TouchControls& c
         fingerMeters.felt.note (j, filterNode().motion().takeFelt (finger));
     }
 
-    meters.noteState (limiterNode().limiter().isMuted(), 0);
+    meters.noteState (limiters().front()->limiter().isMuted(), 0);
 }
 
 /** Before anything is written: the outputs may lie where the inputs are. */
 template <typename Sample>
-void TouchPath::noteInputs (const TouchBlock<Sample>& block, FingerMeters& meters) const
+void TouchPath::noteInputs (const AudioBlock<Sample>& block, FingerMeters& meters) const
 {
     for (int j = 0; j < std::min (fingers, static_cast<int> (block.inputs.size())); ++j)
     {
@@ -160,39 +144,8 @@ void TouchPath::noteMotions (FingerMeters& meters)
             meters.traces[j].push (displacement);
 }
 
-TouchPath::Outputs TouchPath::askedFor (Outputs outputs) const
-{
-    return outputLimiter != nullptr ? outputs + modes->actuators() : outputs;
-}
-
-template <typename Sample>
-void TouchPath::write (const TouchBlock<Sample>& block, int offset, int count, Outputs outputs) const
-{
-    const auto* const asked = askedFor (outputs);
-
-    for (std::size_t i = 0; i < block.ceramics.size(); ++i)
-        if (i < modes->ceramics.size())
-            for (int n = 0; n < count; ++n)
-                block.ceramics[i][offset + n] = static_cast<Sample> (asked[i][n] / modes->fullScaleVoltage);
-        else
-            std::fill_n (block.ceramics[i] + offset, count, Sample (0));
-}
-
-void TouchPath::note (int count, Outputs outputs, LevelMeters& meters)
-{
-    const auto* const asked = askedFor (outputs);
-
-    for (int i = 0; i < std::min (static_cast<int> (modes->actuators()), LevelMeters::ceramics); ++i)
-    {
-        const auto place = static_cast<std::size_t> (i);
-        meters.notePeak (i, static_cast<float> (absolutePeak (asked[i], count)));
-        meters.addLimited (i, limiterNode().takeLimitedSamples (place)
-                                  + (outputLimiter != nullptr ? outputLimiter->takeLimitedSamples (place) : 0));
-    }
-}
-
-template void TouchPath::process (const TouchBlock<float>&, const TouchControls&, EventDelay&, bool, LevelMeters&,
+template void TouchPath::process (const AudioBlock<float>&, const TouchControls&, EventDelay&, bool, LevelMeters&,
                                   FingerMeters&);
-template void TouchPath::process (const TouchBlock<double>&, const TouchControls&, EventDelay&, bool, LevelMeters&,
+template void TouchPath::process (const AudioBlock<double>&, const TouchControls&, EventDelay&, bool, LevelMeters&,
                                   FingerMeters&);
 } // namespace antinode

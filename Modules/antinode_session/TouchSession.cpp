@@ -1,120 +1,251 @@
 #include "TouchSession.h"
 
-#include "TouchWorker.h"
+#include "Amplifiers.h"
+#include "NoteBank.h"
 
+#include <antinode_base/InputError.h>
+#include <antinode_base/Watch.h>
+#include <antinode_library/Library.h>
+#include <antinode_library/SkinThresholds.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace antinode
 {
-TouchSession::TouchSession (DeviceDocument device, ReadSettings read, std::function<void()> changed)
-    : owner (std::make_shared<SessionOwner<TouchSettings>> (std::move (read), std::move (changed))),
-      worker (std::make_shared<TouchWorker> (std::make_shared<const DeviceDocument> (std::move (device)), owner)),
-      thread ([kept = worker] { kept->run(); })
+namespace
 {
-}
+constexpr double usualTouchRate = 48000; // Hz, before a host says its own
 
-TouchSession::~TouchSession()
+/** With the static share of the modes beyond: without it the points between which filters tell apart would leak.
+    @throws InputError  where it cannot be solved, or has nothing that moves it */
+std::shared_ptr<const ModalModel> solvedForTouch (const DeviceDocument& document)
 {
-    worker->stop();
-    owner->leave();
-}
+    auto model = std::make_shared<const ModalModel> (solveDeviceWithStaticShare (document.description, {}, true));
+    const auto where = "device '" + document.description.name + "'";
 
-void TouchSession::load (std::shared_ptr<const DeviceDocument> device)
+    if (model->actuators() == 0)
+        throw InputError (where, "has no ceramics, so nothing can move it");
+
+    requireRealModes (*model, "filters for fingers");
+    return model;
+}
+} // namespace
+
+TouchSession::TouchSession (DeviceDocument device, std::function<TouchSettings()> readSettings,
+                            std::function<void()> onChange)
+    : DeviceRounds (std::move (device), std::move (readSettings), std::move (onChange)),
+      threshold (findSkinThreshold ({}))
 {
-    worker->load (std::move (device));
 }
 
 void TouchSession::prepare (double sampleRate, int inputs)
 {
-    worker->prepare (sampleRate, inputs);
-}
-
-template <typename Sample>
-void TouchSession::process (const TouchBlock<Sample>& block, const TouchControls& controls)
-{
-    worker->process (block, controls);
-}
-
-void TouchSession::stopAll()
-{
-    stops().stop();
-}
-
-StopCount& TouchSession::stops() const
-{
-    return worker->stops();
-}
-
-void TouchSession::waitUntilSettled (std::span<const FocusEvent> notes)
-{
-    worker->waitUntilSettled (notes);
-}
-
-void TouchSession::loadFocus (std::shared_ptr<const FocusDocument> focus)
-{
-    worker->loadFocus (std::move (focus));
-}
-
-std::shared_ptr<const FocusDocument> TouchSession::focus() const
-{
-    return worker->focus();
-}
-
-DesignProgress TouchSession::focusProgress() const
-{
-    return worker->focusProgress();
-}
-
-FociUnderFingers TouchSession::fociUnderFingers() const
-{
-    return worker->fociUnderFingers();
-}
-
-void TouchSession::setComparing (bool shouldCompare)
-{
-    worker->setComparing (shouldCompare);
-}
-
-void TouchSession::setAmplifiers (std::vector<double> volts)
-{
-    worker->setAmplifiers (std::move (volts));
-}
-
-FollowingRequests& TouchSession::following() const
-{
-    return worker->following();
-}
-
-std::shared_ptr<const TouchSnapshot> TouchSession::snapshot() const
-{
-    return worker->snapshot();
-}
-
-double TouchSession::fullScaleVolts() const
-{
-    return worker->fullScaleVolts();
-}
-
-LevelMeters& TouchSession::meters()
-{
-    return worker->meters();
-}
-
-FingerMeters& TouchSession::fingerMeters()
-{
-    return worker->fingerMeters();
+    preparedRate = sampleRate;
+    paths.reset();
+    stopCount.stop();
+    noteDelay.reset();
+    ask ({ sampleRate, inputs });
 }
 
 std::int64_t TouchSession::latencySamples (std::size_t latency) const
 {
-    return worker->latencySamples (latency);
+    const auto rate = preparedRate > 0 ? preparedRate.load() : usualTouchRate;
+
+    try
+    {
+        return filterTiming ({}, TouchDesigner::filterSettings (rate, latency)).latencySamples() + late;
+    }
+    catch (const InputError&)
+    {
+        return 0; // There is silence at such a rate.
+    }
 }
 
+/** Notes wait as long as the filters take. */
 double TouchSession::tailSeconds (std::size_t latency) const
 {
-    return worker->tailSeconds (latency);
+    const auto rate = preparedRate > 0 ? preparedRate.load() : usualTouchRate;
+    const auto delay = static_cast<double> (latencySamples (latency)) / rate, lag = static_cast<double> (late) / rate;
+    return std::max (lag + FilterSettings().length, delay + focusProgress().endSeconds) + ringing;
 }
 
-template void TouchSession::process (const TouchBlock<float>&, const TouchControls&);
-template void TouchSession::process (const TouchBlock<double>&, const TouchControls&);
+void TouchSession::run()
+{
+    const WatchScope scope ([this] { return ! isStopping; });
+
+    try
+    {
+        for (std::uint64_t round = 0; awaitRound (round);)
+        {
+            do
+                step();
+            while (! isSettled());
+
+            waitForFoci();
+            finish (round);
+            compare();
+        }
+    }
+    catch (const Cancelled&)
+    {
+        // It is stopping.
+    }
+
+    deviceFollowing.stop();
+    paths.clear();
+}
+
+/** What the parameters say now. */
+TouchSettings TouchSession::look()
+{
+    const auto now = owner.settings (settings);
+    movement.note (now, FingerMovement::Clock::now());
+    return now;
+}
+
+/** One round: what was loaded, then the format, then what the parameters say. */
+void TouchSession::step()
+{
+    if (const auto before = present.model; takeDocument())
+    {
+        solve (solvedForTouch);
+
+        if (present.model != before)
+        {
+            playedDevice = present.device;
+            deviceFollowing.forget();
+        }
+    }
+
+    takeAmplifiers();
+    takeFollowing();
+    paths.collect();
+
+    if (path != nullptr)
+        path->banks().collect();
+
+    settings = look();
+    const auto wanted = askedFor();
+
+    if (present.model == nullptr || ! (wanted.sampleRate > 0))
+        return;
+
+    if (const auto isFormatNew = std::exchange (format, wanted) != wanted;
+        std::exchange (isModelNew, false) || isFormatNew || deviceFollowing.isSensorNew())
+        buildPath();
+
+    if (path != nullptr)
+        takeDrift();
+
+    if (path != nullptr)
+        serveFoci();
+
+    if (const auto end = focusProgress().endSeconds; std::exchange (toldEnd, end) != end)
+        owner.tell();
+
+    if (path != nullptr && designedFor != settings)
+        design();
+}
+
+void TouchSession::setAmplifiers (std::vector<double> volts)
+{
+    const std::lock_guard lock (mutex);
+    wantedAmplifiers = std::move (volts);
+}
+
+/** A path has limits of its own: another one is built where these change. */
+void TouchSession::takeAmplifiers()
+{
+    const auto isSolvedNew = present.model != limited;
+
+    if (isSolvedNew)
+        solved = present.model;
+
+    {
+        const std::lock_guard lock (mutex);
+
+        if (solved == nullptr || (! isSolvedNew && amplifiers == wantedAmplifiers))
+            return;
+
+        amplifiers = wantedAmplifiers;
+    }
+
+    if (auto made = withAmplifiers (solved, amplifiers);
+        isSolvedNew || voltageLimits (*made) != voltageLimits (*limited))
+    {
+        present.model = limited = std::move (made);
+        isModelNew = true;
+        publish();
+    }
+}
+
+void TouchSession::buildPath()
+{
+    path = nullptr; // Whatever played plays on until there is another one.
+    designer = nullptr;
+    designedFor.reset();
+    isRetuned = false;
+    present.designs = {};
+    present.formatError.clear();
+
+    try
+    {
+        auto made = std::make_unique<TouchPath> (present.model, format.inputs, TrackBand {},
+                                                 TouchDesigner::filterSettings (format.sampleRate, settings.latency),
+                                                 threshold, deviceFollowing.listen (present.model, format.sampleRate));
+        makeDesigner();
+        path = made.get();
+        isPathNew = true;
+        ringing = std::log (1000) / decayRates (*present.model).minCoeff();
+        late = made->lateSamples();
+        paths.give (std::move (made));
+    }
+    catch (const std::exception& failure)
+    {
+        present.formatError = failure.what();
+    }
+
+    publish();
+}
+
+void TouchSession::waitUntilSettled (std::span<const FocusEvent> notes)
+{
+    const auto await = [this] (std::optional<std::vector<int>> awaited)
+    {
+        const std::lock_guard lock (mutex);
+        awaitedNotes = std::move (awaited);
+    };
+    std::vector<int> numbers { spotNote };
+
+    for (const auto& event : notes)
+        if (event.kind == FocusEventKind::trigger)
+            numbers.push_back (event.place);
+
+    await (std::move (numbers));
+    DeviceRounds::waitUntilSettled();
+    await ({});
+}
+
+template <typename Sample>
+void TouchSession::process (const AudioBlock<Sample>& block, const TouchControls& controls)
+{
+    if (auto* const current = paths.current (preparedRate, block.count))
+    {
+        fullScale.store (current->model().fullScaleVoltage, std::memory_order_relaxed);
+        auto now = controls;
+        now.notes = foci.notes();
+        const auto stop = stopCount.now();
+        now.stops = std::exchange (playedStop, stop) != stop;
+        current->process (block, now, noteDelay, paths.isLeaving(), levels, fingerLevels);
+        return;
+    }
+
+    block.silence();
+}
+
+template void TouchSession::process (const AudioBlock<float>&, const TouchControls&);
+template void TouchSession::process (const AudioBlock<double>&, const TouchControls&);
 } // namespace antinode

@@ -1,20 +1,26 @@
 #pragma once
 
-#include "Documents.h"
-#include "FollowingRequests.h"
-#include "SessionOwner.h"
+#include "DeviceFollowing.h"
+#include "DeviceRounds.h"
+#include "FingerMovement.h"
+#include "PathExchange.h"
 #include "StopCount.h"
 #include "TouchDesigner.h"
 #include "TouchFoci.h"
 #include "TouchPath.h"
 
-#include <antinode_base/BackgroundThread.h>
+#include <antinode_felt/SkinThreshold.h>
 
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace antinode
@@ -37,29 +43,24 @@ struct TouchSnapshot
         designs; ///< Of the present places, by latency; none: not made yet.
 };
 
-class TouchWorker;
+/** What the host plays: a path is for one of these. */
+struct TouchFormat
+{
+    double sampleRate = 0; ///< Hz; 0 before the first preparation.
+    int inputs = 0;
 
-/** A device as an effect on the inputs of fingers: solves it, designs filters and lets inputs play through them. As
-   with Session, a thread of its own looks at the parameters every few milliseconds, solves, builds and designs; paths
-   and filters go to the audio thread by one atomic exchange each; and nothing here waits longer than a moment for that
-    thread, which may end after the session. */
-class TouchSession
+    bool operator== (const TouchFormat&) const = default;
+};
+
+/** A device as an effect on the inputs of fingers: solves it, designs filters and lets inputs play through them. A
+   thread of its own looks at the parameters every few milliseconds, solves, builds and designs; paths and filters go to
+   the audio thread by one atomic exchange each; and nothing here waits longer than a moment for that thread.
+   SessionThread makes it, for it lasts as long as its thread. */
+class TouchSession : public DeviceRounds<TouchSnapshot, TouchSettings, TouchFormat>
 {
 public:
-    using ReadSettings = std::function<TouchSettings()>;
-
-    /** Starts solving.
-        @param readSettings  gives what the parameters say; called on the session's thread, must not block
-        @param onChange      called on the session's thread after the snapshot has changed
-        [worker] starts a thread */
-    TouchSession (DeviceDocument, ReadSettings readSettings, std::function<void()> onChange);
-    ~TouchSession();
-    TouchSession (const TouchSession&) = delete;
-    TouchSession& operator= (const TouchSession&) = delete;
-
-    /** Another device. Returns at once; the present one plays on until the other is solved. [any but the audio thread]
-     */
-    void load (std::shared_ptr<const DeviceDocument>);
+    /** Starts with solving. @param readSettings, onChange  as DeviceRounds [worker] */
+    TouchSession (DeviceDocument, std::function<TouchSettings()> readSettings, std::function<void()> onChange);
 
     /** Forgets what has come in, and asks for the path of a sample rate. Waits for it, but only a moment. Nothing may
        be processing. @param inputs  1 to mostFingers [worker] */
@@ -67,32 +68,32 @@ public:
 
     /** Plays a block, or silence where there is no path yet. [audio thread] allocates nothing, locks nothing */
     template <typename Sample>
-    void process (const TouchBlock<Sample>&, const TouchControls&);
+    void process (const AudioBlock<Sample>&, const TouchControls&);
 
     /** Fades the foci of notes out with the next block, and voids those that wait for their time. Inputs play on.
         [any] */
-    void stopAll();
+    void stopAll() { stopCount.stop(); }
 
     /** The stops so far: by stopAll() and by prepare(). [any] */
-    StopCount& stops() const;
+    StopCount& stops() { return stopCount; }
 
     /** Waits until all that was loaded is taken up, and filters are designed for what the parameters say, and the focus
         at its own place and at those of these notes. One caller at a time. [any but a real-time audio thread] */
     void waitUntilSettled (std::span<const FocusEvent> notes = {});
 
     /** What notes play on top of the tracks, TouchFoci; none: nothing. Returns at once. [any but the audio thread] */
-    void loadFocus (std::shared_ptr<const FocusDocument>);
-    std::shared_ptr<const FocusDocument> focus() const;
+    void loadFocus (std::shared_ptr<const FocusDocument> focus) { foci.load (std::move (focus)); }
+    std::shared_ptr<const FocusDocument> focus() const { return foci.focus(); }
 
     /** Of the foci's designs. [any but the audio thread] */
-    DesignProgress focusProgress() const;
+    DesignProgress focusProgress() const { return foci.progress(); }
 
     /** What foci know of the fingers. [any but the audio thread] */
-    FociUnderFingers fociUnderFingers() const;
+    FociUnderFingers fociUnderFingers() const { return foci.underFingers(); }
 
     /** Whether somebody wants to know the volts of all latencies: then designs are made for them too, when there is
         nothing else to do. [any] */
-    void setComparing (bool shouldCompare);
+    void setComparing (bool shouldCompare) { isComparing = shouldCompare; }
 
     /** What amplifiers limit, as withAmplifiers has it; a change of a limit ramps to 0 V and back. [any but the audio
         thread] */
@@ -100,16 +101,13 @@ public:
 
     /** What follows the drift of the device, and what is known: another sensor makes another path, and filters and foci
         are designed for the device as it is. Docs/Decisions/0158-following-in-touch.md [any but the audio thread] */
-    FollowingRequests& following() const;
-
-    /** [any but the audio thread] */
-    std::shared_ptr<const TouchSnapshot> snapshot() const;
+    FollowingRequests& following() const { return *followingRequests; }
 
     /** The voltage of a sample of 1.0 in the last block, V; 0 before the first one that plays. [any] */
-    double fullScaleVolts() const;
+    double fullScaleVolts() const { return fullScale; }
 
-    LevelMeters& meters();
-    FingerMeters& fingerMeters();
+    LevelMeters& meters() { return levels; }
+    FingerMeters& fingerMeters() { return fingerLevels; }
 
     /** By how many samples motions lag their inputs; that of 48 kHz before the first preparation. [any] */
     std::int64_t latencySamples (std::size_t latency) const;
@@ -118,9 +116,57 @@ public:
        later, and 60 dB of the slowest mode's decay, s. [any but the audio thread] */
     double tailSeconds (std::size_t latency) const;
 
+    /** Works until it is stopped; then no path is left. Nothing may be processing by then. [session's thread] */
+    void run();
+
 private:
-    std::shared_ptr<SessionOwner<TouchSettings>> owner;
-    std::shared_ptr<TouchWorker> worker;
-    BackgroundThread thread;
+    TouchSettings look();
+    void step();
+    void serveFoci();
+    void takeAmplifiers();
+    void takeFollowing();
+    void takeDrift();
+    void buildPath();
+    void makeDesigner();
+    bool isSettled() const;
+    void design();
+    bool playQuickly();
+    bool areFingersResting();
+    bool isAwaited() const;
+    void makeDesign();
+    void play (std::unique_ptr<const FilterBank>, const TouchSettings& places);
+    void compare();
+    void waitForFoci();
+    bool hasOtherPath();
+    bool hasNews();
+
+    std::atomic<bool> isComparing { false };
+    std::vector<double> wantedAmplifiers;               ///< V, under the lock.
+    std::optional<std::vector<int>> awaitedNotes;       ///< Under the lock: somebody waits for their foci.
+    std::vector<double> amplifiers;                     ///< Of the session's thread, as the next lines.
+    std::shared_ptr<const DeviceDocument> playedDevice; ///< The model's: what was asked for may have no model.
+    std::shared_ptr<const ModalModel> solved, limited;  ///< Without and with the amplifiers.
+    std::optional<TouchSettings> designedFor; ///< Also where that failed: nobody shall try it again and again.
+    TouchFormat format;
+    SkinThreshold threshold;
+    std::shared_ptr<FollowingRequests> followingRequests = std::make_shared<FollowingRequests>();
+    DeviceFollowing deviceFollowing { followingRequests };
+    std::unique_ptr<TouchDesigner> designer;
+    bool isRetuned = false; ///< Whether it is for a device that has drifted since the filters that play were made.
+    FingerMovement movement;
+    FingerMovement::Clock::duration quickTime = std::chrono::milliseconds (10); ///< That quick filters last took.
+    TouchFoci foci;
+    double toldEnd = 0;        ///< s, of the foci: the tail that the owner knows.
+    bool isPathNew = false;    ///< Whether no focus was asked for it yet.
+    TouchPath* path = nullptr; ///< The newest one, which `paths` owns.
+
+    StopCount stopCount;
+    std::uint64_t playedStop = 0; ///< Of the audio thread: the newest one.
+    PathExchange<TouchPath> paths;
+    EventDelay noteDelay; ///< Of the audio thread.
+    LevelMeters levels;
+    FingerMeters fingerLevels;
+    std::atomic<double> preparedRate { 0 }, ringing { 1 }, fullScale { 0 };
+    std::atomic<std::int64_t> late { 0 }; ///< Samples by which outputs come later where lags of ceramics are undone.
 };
 } // namespace antinode

@@ -10,6 +10,13 @@ void addMessage (std::vector<UserMessage>& messages, Urgency urgency, const std:
         messages.push_back ({ urgency, text });
 }
 
+std::string firstWarning (const std::vector<UserMessage>& messages)
+{
+    const auto found = std::find_if (messages.begin(), messages.end(),
+                                     [] (const auto& message) { return message.urgency == Urgency::warning; });
+    return found == messages.end() ? std::string() : found->text;
+}
+
 std::vector<UserMessage> worstFirst (std::vector<UserMessage> messages)
 {
     std::stable_sort (messages.begin(), messages.end(),

@@ -24,6 +24,9 @@ struct UserMessage
 /** Adds a message that has a text. [any] */
 void addMessage (std::vector<UserMessage>&, Urgency, const std::string& text);
 
+/** The text of the first warning among them, or empty. [any] */
+std::string firstWarning (const std::vector<UserMessage>&);
+
 /** The worst first, those of equal urgency in their order, each text once. [any] */
 std::vector<UserMessage> worstFirst (std::vector<UserMessage>);
 } // namespace antinode

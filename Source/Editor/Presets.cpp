@@ -29,13 +29,10 @@ juce::String attemptAction (const Action& action)
 /** Puts a device or focus of the library, or of a file, into a state. */
 void read (LibraryKind kind, const std::string& nameOrFile, SessionState& state)
 {
-    const auto source = documentSource (kind, nameOrFile);
-    const auto json = loadDocument (kind, nameOrFile);
-
     if (kind == LibraryKind::device)
-        state.device = std::make_shared<const DeviceDocument> (readDeviceDocument (json, source));
+        state.device = deviceDocument (nameOrFile);
     else
-        state.focus = std::make_shared<const FocusDocument> (readFocusDocument (json, source));
+        state.focus = focusDocument (nameOrFile);
 }
 
 /** The loaded device under another name. */

@@ -2,7 +2,7 @@
 
 #include "EditorLook.h"
 
-#include <Processor/ParameterValues.h>
+#include <Processor/ParameterSet.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_charts/Lettering.h>
 #include <antinode_session/FocusSettings.h>

@@ -1,6 +1,6 @@
 #include "SurfaceView.h"
 
-#include <Processor/ParameterValues.h>
+#include <Processor/ParameterSet.h>
 
 #include <algorithm>
 #include <utility>

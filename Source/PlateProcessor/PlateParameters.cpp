@@ -2,7 +2,6 @@
 
 #include <Processor/GroupBuilder.h>
 #include <Processor/ParameterTexts.h>
-#include <Processor/ParameterValues.h>
 
 #include <cmath>
 #include <utility>
@@ -11,8 +10,6 @@ namespace antinode
 {
 namespace
 {
-using ModelSource = std::function<std::shared_ptr<const ModalModel>()>;
-
 constexpr double silentDecibels = -60, loudestDecibels = 60;
 constexpr float silentText = -60 + 1e-3F; // below which it is called silent
 
@@ -21,7 +18,7 @@ constexpr std::pair<double, double> firstPlaces[PlatePath::probes] = { { 50, 50 
                                                                        { 50, 75 }, { 25, 25 }, { 75, 75 }, { 25, 75 } };
 } // namespace
 
-PlateParameters::PlateParameters (juce::AudioProcessor& processor, const ModelSource& surface)
+PlateParameters::PlateParameters (juce::AudioProcessor& processor, const SurfaceSource& surface)
 {
     GroupBuilder probes (processor, "probes", "Probes", ordered);
 
@@ -43,7 +40,7 @@ PlateParameters::PlateParameters (juce::AudioProcessor& processor, const ModelSo
     quick = output.flag ("quick", "Surface model", false, "quick", "as rendered");
     bypassed = output.flag ("bypass", "Bypass", false, "bypassed", "playing");
     output.addToProcessor();
-    steps = std::make_unique<StepReports> (ordered);
+    begin();
 }
 
 SurfaceSettings PlateParameters::settings() const
@@ -61,15 +58,5 @@ SurfaceControls PlateParameters::controls() const
 {
     const auto decibels = gain->get();
     return { ! bypassed->get(), decibels <= silentDecibels ? 0.0 : std::pow (10, decibels / 20) };
-}
-
-std::map<std::string, double> PlateParameters::values() const
-{
-    return parameterValues (ordered);
-}
-
-void PlateParameters::setValues (const std::map<std::string, double>& values)
-{
-    setParameterValues (ordered, values);
 }
 } // namespace antinode

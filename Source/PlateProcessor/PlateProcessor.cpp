@@ -1,17 +1,25 @@
 #include "PlateProcessor.h"
 
+#include <utility>
+
 namespace antinode
 {
 std::function<juce::AudioProcessorEditor*(PlateProcessor&)> PlateProcessor::makeEditor;
 
 PlateProcessor::PlateProcessor (int ceramics, WrapperType wrapper)
-    : DeviceEffect ({ "Voltages", ceramics, maximumCeramics }, { "Probes", maximumProbes, maximumProbes },
-                    SensorBus::none, wrapper, plateSchema, "staple")
+    : DeviceProcessor ({ Bus { "Voltages", ceramics }, { "Probes", maximumProbes, maximumProbes } }, wrapper,
+                       SessionRole::plate, deviceDocument ("staple"))
 {
     controls = std::make_unique<PlateParameters> (
-        *this, [this] { return surface != nullptr ? surface->snapshot()->model : nullptr; });
-    surface = std::make_unique<PlateSession> (
-        *device(), [this] { return readSettings(); }, [this] { post(); });
+        *this, [this] { return surface != nullptr ? session().snapshot()->model : nullptr; });
+    surface = std::make_unique<SessionThread<PlateSession>> (
+        *device(),
+        [this]
+        {
+            reportSteps();
+            return controls->settings();
+        },
+        [this] { post(); });
     begin();
 }
 
@@ -20,54 +28,42 @@ PlateProcessor::~PlateProcessor()
     end();
 }
 
-std::vector<UserMessage> PlateProcessor::ownMessages()
+void PlateProcessor::load (std::shared_ptr<const DeviceDocument> device)
 {
-    const auto now = surface->snapshot();
-    const auto channels = getChannelCountOfBus (true, 0);
-    const auto ceramics = now->model != nullptr ? static_cast<int> (now->model->actuators()) : 0;
-    std::vector<UserMessage> messages;
-    addMessage (messages, Urgency::warning, now->error);
+    keep (device);
+    session().load (std::move (device));
+}
 
-    if (surface->meters().isMutedForBadNumbers())
-        addMessage (messages, Urgency::warning,
-                    "A voltage was not a finite number: the surface gets 0 V until playback starts again.");
+void PlateProcessor::setState (const SessionState& wanted, bool)
+{
+    controls->setValues (wanted.parameters);
 
-    if (ceramics > channels)
-        addMessage (messages, Urgency::warning,
-                    "The device has " + std::to_string (ceramics) + " ceramics, but the input has only "
-                        + std::to_string (channels) + (channels == 1 ? " channel" : " channels") + ": ceramics "
-                        + std::to_string (channels + 1) + " and up get 0 V.");
+    if (wanted.device->text != device()->text)
+        load (wanted.device);
+}
 
-    return messages;
+DeviceProcessor::Playing PlateProcessor::playing() const
+{
+    auto& session = **surface;
+    const auto now = session.snapshot();
+    return { now->model, now->error, session.meters().isMutedForBadNumbers(), session.latencySamples() };
 }
 
 template <typename Sample>
-void PlateProcessor::playSurface (const SurfaceBlock<Sample>& block, bool isBypassed)
+void PlateProcessor::playSurface (const AudioBlock<Sample>& block, bool isBypassed)
 {
-    if (isNonRealtime())
-        surface->waitUntilSettled();
-
     auto now = controls->controls();
     now.isPlaying = now.isPlaying && ! isBypassed;
-    surface->process (block, now);
+    session().process (block, now);
 }
 
-void PlateProcessor::playChannels (const EffectBlock<float>& block)
+void PlateProcessor::playBlock (const AudioBlock<float>& block, bool isBypassed)
 {
-    playSurface<float> ({ block.in, block.out, block.count }, block.isBypassed);
+    playSurface (block, isBypassed);
 }
 
-void PlateProcessor::playChannels (const EffectBlock<double>& block)
+void PlateProcessor::playBlock (const AudioBlock<double>& block, bool isBypassed)
 {
-    playSurface<double> ({ block.in, block.out, block.count }, block.isBypassed);
-}
-
-/** As in AntinodeProcessor: a host is told of a step as soon as the session has looked. */
-SurfaceSettings PlateProcessor::readSettings()
-{
-    if (controls->stepReports().isWaiting())
-        post();
-
-    return controls->settings();
+    playSurface (block, isBypassed);
 }
 } // namespace antinode

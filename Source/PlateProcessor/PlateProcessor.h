@@ -2,7 +2,7 @@
 
 #include "PlateParameters.h"
 
-#include <Processor/DeviceEffect.h>
+#include <Processor/DeviceProcessor.h>
 
 #include <antinode_session/PlateSession.h>
 
@@ -16,10 +16,10 @@ namespace antinode
 
     The input bus "Voltages" has 1 to 64 channels, channel k for ceramic k, 1.0 = the device's full scale; the
     output bus "Probes" has 1 to 8, 1.0 = 1 m/s. Before a device is solved, and unprepared, the probes are silent. */
-class PlateProcessor : public DeviceEffect
+class PlateProcessor : public DeviceProcessor
 {
 public:
-    static constexpr int maximumCeramics = mostChannels, maximumProbes = PlatePath::probes;
+    static constexpr int maximumProbes = PlatePath::probes;
 
     /** @param ceramics  channels of the input at first, 1 to 64
         @param wrapper   what it runs in: decides how channels are laid on wires
@@ -27,8 +27,14 @@ public:
     PlateProcessor (int ceramics, WrapperType wrapper);
     ~PlateProcessor() override;
 
-    PlateSession& session() { return *surface; }
+    PlateSession& session() { return **surface; }
     PlateParameters& parameters() { return *controls; }
+
+    /** Loads a device. [message thread] */
+    void load (std::shared_ptr<const DeviceDocument>);
+
+    SessionState state() const override { return { device(), {}, controls->values() }; }
+    void setState (const SessionState&, bool isRestored) override;
 
     /** How many probes have an output. [any] */
     int shownProbes() const { return std::min (maximumProbes, getChannelCountOfBus (false, 0)); }
@@ -37,30 +43,21 @@ public:
     static std::function<juce::AudioProcessorEditor*(PlateProcessor&)> makeEditor;
 
     const juce::String getName() const override { return "Antinode Plate"; }
-    juce::AudioProcessorParameter* getBypassParameter() const override { return &controls->bypass(); }
-    double getTailLengthSeconds() const override { return surface->tailSeconds(); }
+    double getTailLengthSeconds() const override { return (*surface)->tailSeconds(); }
     juce::AudioProcessorEditor* createEditor() override { return makeEditor ? makeEditor (*this) : nullptr; }
     bool hasEditor() const override { return makeEditor != nullptr; }
 
 private:
-    void take (std::shared_ptr<const DeviceDocument> device) override { surface->load (std::move (device)); }
-    void prepareSession (double sampleRate) override { surface->prepare (sampleRate); }
-    std::shared_ptr<const ModalModel> solvedModel() const override { return surface->snapshot()->model; }
-    std::map<std::string, double> values() const override { return controls->values(); }
-    void setValues (const std::map<std::string, double>& to, const DeviceDocument&) override
-    {
-        controls->setValues (to);
-    }
-    StepReports& stepReports() override { return controls->stepReports(); }
-    std::int64_t latencyToReport() const override { return surface->latencySamples(); }
-    std::vector<UserMessage> ownMessages() override;
-    void playChannels (const EffectBlock<float>&) override;
-    void playChannels (const EffectBlock<double>&) override;
+    void prepareSession (double sampleRate) override { (*surface)->prepare (sampleRate); }
+    ParameterSet& parameterSet() const override { return *controls; }
+    Playing playing() const override;
+    void waitUntilSettled (std::span<const FocusEvent>) override { (*surface)->waitUntilSettled(); }
+    void playBlock (const AudioBlock<float>&, bool isBypassed) override;
+    void playBlock (const AudioBlock<double>&, bool isBypassed) override;
     template <typename Sample>
-    void playSurface (const SurfaceBlock<Sample>&, bool isBypassed);
-    SurfaceSettings readSettings();
+    void playSurface (const AudioBlock<Sample>&, bool isBypassed);
 
     std::unique_ptr<PlateParameters> controls;
-    std::unique_ptr<PlateSession> surface;
+    std::unique_ptr<SessionThread<PlateSession>> surface;
 };
 } // namespace antinode

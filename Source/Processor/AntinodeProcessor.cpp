@@ -1,51 +1,48 @@
 #include "AntinodeProcessor.h"
 
-#include "VST3Channels.h"
-
-#include <antinode_session/FollowingWords.h>
-
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace antinode
 {
 std::function<juce::AudioProcessorEditor*(AntinodeProcessor&)> AntinodeProcessor::makeEditor;
 
-juce::AudioProcessor::BusesProperties AntinodeProcessor::busesFor (int ceramics, WrapperType wrapper)
+SessionState demonstrator()
 {
-    const auto monitor = wrapper == wrapperType_VST3
-                             ? juce::AudioChannelSet::stereo()
-                             : juce::AudioChannelSet::discreteChannels (BufferChannels::maximumMonitors);
-    // What is off at first is an optional port in LV2, and JUCE's wrapper reads those that are not connected, too.
-    return BusesProperties()
-        .withInput ("Sensor", juce::AudioChannelSet::mono(), wrapper != wrapperType_VST3)
-        .withOutput ("Ceramics", wireSet (ceramics, wrapper), true)
-        .withOutput ("Monitor", monitor, true);
+    return { deviceDocument ("staple"), focusDocument ("demonstrator"), {} };
 }
 
-AntinodeProcessor::AntinodeProcessor (int ceramics, WrapperType wrapperToUse)
-    : AudioProcessor (busesFor (ceramics, wrapperToUse)), VST3Extensions (static_cast<juce::AudioProcessor&> (*this)),
-      wrapper (wrapperToUse)
+AntinodeProcessor::AntinodeProcessor (int ceramics, WrapperType wrapper)
+    : AntinodeProcessor (ceramics, wrapper, demonstrator())
 {
-    const auto start = demonstrator();
-    loadedDevice = start.device;
-    loadedFocus = touchedFocus = start.focus;
+}
+
+AntinodeProcessor::AntinodeProcessor (int ceramics, WrapperType wrapper, const SessionState& first)
+    : DeviceProcessor ({ {}, { "Ceramics", ceramics }, true, true }, wrapper, SessionRole::foci, first.device),
+      loadedFocus (first.focus), touchedFocus (first.focus)
+{
     controls = std::make_unique<Parameters> (*this, [this]
                                              { return player != nullptr ? player->snapshot()->model : nullptr; });
 
     if (wrapper == wrapperType_VST3)
         controls->stepReports().add (addStop());
 
-    controls->setFocus (settingsFromFocus (loadedFocus->description, deviceExtent (loadedDevice->description), {}));
+    controls->setFocus (settingsFromFocus (loadedFocus->description, deviceExtent (first.device->description), {}));
     player = std::make_unique<Session> (
-        *loadedDevice, *loadedFocus, [this] { return readSettings(); }, [this] { changes.post(); },
-        [this] (const auto& chosen, const auto& before) { return takeFocus (chosen, before); });
-    bufferChannels.lay (*this, wrapper);
-    changes.begin();
+        *first.device, *first.focus,
+        [this]
+        {
+            reportSteps();
+            return controls->settings();
+        },
+        [this] { post(); }, [this] (const auto& chosen, const auto& before) { return takeFocus (chosen, before); });
+    begin();
 }
 
 AntinodeProcessor::~AntinodeProcessor()
 {
-    changes.end();
+    end();
 }
 
 void AntinodeProcessor::load (std::shared_ptr<const DeviceDocument> newDevice,
@@ -55,16 +52,13 @@ void AntinodeProcessor::load (std::shared_ptr<const DeviceDocument> newDevice,
         const juce::ScopedLock lock (documents);
 
         // The same device again is no other one: its focus stays.
-        if (newDevice != nullptr && newFocus == nullptr && newDevice->text == loadedDevice->text)
+        if (newDevice != nullptr && newFocus == nullptr && newDevice->text == device()->text)
             newFocus = loadedFocus;
-
-        if (newDevice != nullptr)
-            loadedDevice = newDevice;
 
         if (newFocus != nullptr)
             loadedFocus = touchedFocus = newFocus;
 
-        stateWarning.clear();
+        keep (newDevice != nullptr ? newDevice : device());
     }
 
     if (newDevice != nullptr)
@@ -91,14 +85,8 @@ bool AntinodeProcessor::takeFocus (const std::shared_ptr<const FocusDocument>& c
     }
     controls->setFocus (
         settingsFromFocus (chosen->description, deviceExtent (device()->description), controls->settings()));
-    changes.post();
+    post();
     return true;
-}
-
-std::shared_ptr<const DeviceDocument> AntinodeProcessor::device() const
-{
-    const juce::ScopedLock lock (documents);
-    return loadedDevice;
 }
 
 std::shared_ptr<const FocusDocument> AntinodeProcessor::focus() const
@@ -107,154 +95,126 @@ std::shared_ptr<const FocusDocument> AntinodeProcessor::focus() const
     return touchedFocus;
 }
 
-std::vector<UserMessage> AntinodeProcessor::messages() const
+std::shared_ptr<const FocusDocument> AntinodeProcessor::keptFocus() const
+{
+    const juce::ScopedLock lock (documents);
+    return loadedFocus;
+}
+
+SessionState AntinodeProcessor::state() const
+{
+    return {
+        device(), keptFocus(), controls->values(), mutes(), player->isGraphOpen(), player->following().settings()
+    };
+}
+
+void AntinodeProcessor::setState (const SessionState& wanted, bool isRestored)
+{
+    const auto isOtherDevice = wanted.device->text != device()->text,
+               isOtherFocus = ! sayTheSame (*wanted.focus, *keptFocus());
+    {
+        const juce::ScopedLock lock (documents);
+        keep (wanted.device);
+        loadedFocus = wanted.focus;
+
+        // Whoever put touches down sees which of them fit beside the fingers of another focus.
+        if (isOtherFocus)
+            touchedFocus = wanted.focus;
+    }
+    auto values = wanted.parameters;
+
+    if (isRestored && wanted.device->description.requiresArming)
+        values["arm"] = 0;
+
+    controls->setValues (values);
+    mutedCeramics = wanted.mutes;
+    player->setGraphOpen (wanted.isGraphOpen);
+    player->following().setSettings (wanted.following);
+
+    if (isOtherDevice)
+        player->load (wanted.device, isOtherFocus ? wanted.focus : focus());
+    else if (isOtherFocus)
+        player->load (nullptr, wanted.focus);
+}
+
+void AntinodeProcessor::setFingers (const std::vector<Finger>& fingers)
+{
+    auto own = fingers;
+    const auto known = touches();
+    const auto firstTouch = std::stable_partition (
+        own.begin(), own.end(),
+        [&known] (const auto& finger) { return std::find (known.begin(), known.end(), finger) == known.end(); });
+    const std::vector<Finger> touching (firstTouch, own.end());
+    own.erase (firstTouch, own.end());
+    putDown (own, touching);
+}
+
+void AntinodeProcessor::setTouches (const std::vector<Finger>& touching)
+{
+    putDown (keptFocus()->description.fingers, touching);
+}
+
+std::vector<Finger> AntinodeProcessor::touches() const
+{
+    const juce::ScopedLock lock (documents);
+    const auto& all = touchedFocus->description.fingers;
+    return { all.begin() + std::ssize (loadedFocus->description.fingers), all.end() };
+}
+
+void AntinodeProcessor::putDown (const std::vector<Finger>& own, const std::vector<Finger>& touching)
+{
+    auto kept = keptFocus();
+
+    if (own != kept->description.fingers)
+        kept = std::make_shared<const FocusDocument> (withFingers (*kept, own));
+
+    auto touched = kept;
+
+    if (! touching.empty())
+    {
+        auto all = own;
+        all.insert (all.end(), touching.begin(), touching.end());
+        touched = std::make_shared<const FocusDocument> (withFingers (*kept, all));
+    }
+
+    const auto isOther = touched->text != focus()->text;
+    {
+        const juce::ScopedLock lock (documents);
+        loadedFocus = std::move (kept);
+        touchedFocus = touched;
+    }
+    player->load (nullptr, isOther ? touched : nullptr);
+}
+
+DeviceProcessor::Playing AntinodeProcessor::playing() const
 {
     const auto now = player->snapshot();
-    const auto progress = player->progress();
-    // Not the order of the channels: a host may be preparing us on another thread.
-    const auto channels = getChannelCountOfBus (false, 0);
-    const auto ceramics = now->model != nullptr ? static_cast<int> (now->model->actuators()) : 0;
-    std::vector<UserMessage> messages;
-    {
-        const juce::ScopedLock lock (documents);
-        addMessage (messages, Urgency::warning, stateWarning.toStdString());
-    }
-    if (player->meters().isMutedForBadNumbers())
-        addMessage (messages, Urgency::warning,
-                    "The output is muted because a sample was not finite. Load the device again.");
-
-    addMessage (messages, Urgency::warning, now->deviceError);
-
-    // Those of the device before are over.
-    if (! now->isSolving)
-        addMessage (messages, Urgency::warning, progress.liveError);
-
-    if (ceramics > channels)
-        addMessage (messages, Urgency::warning,
-                    "The device has " + std::to_string (ceramics) + " ceramics, but this bus has only "
-                        + std::to_string (channels) + " channels: ceramic " + std::to_string (channels + 1)
-                        + " and above stay at 0 V.");
-
-    const auto followed = followingMessage (*player->following().status());
-    addMessage (messages, followed.urgency, followed.text);
-    return messages;
+    return { now->model, now->deviceError, player->meters().isMutedForBadNumbers(), player->latencySamples(),
+             &player->following() };
 }
 
-void AntinodeProcessor::setWarning (const juce::String& text)
+/** Those of the device before are over. */
+std::vector<UserMessage> AntinodeProcessor::ownMessages() const
 {
-    {
-        const juce::ScopedLock lock (documents);
-        stateWarning = text;
-    }
-    changes.post();
-}
-
-bool AntinodeProcessor::isBusesLayoutSupported (const BusesLayout& layout) const
-{
-    // By count: hosts name channels as they like, wires are distinguished by their numbers.
-    const auto ceramics = layout.getMainOutputChannels();
-    const auto monitor = layout.getNumChannels (false, 1);
-    const auto sensors = layout.getNumChannels (true, 0);
-    return layout.inputBuses.size() == 1 && sensors <= 1 && ceramics >= 1 && ceramics <= maximumCeramics
-           && monitor <= BufferChannels::maximumMonitors;
-}
-
-void AntinodeProcessor::prepareToPlay (double sampleRate, int)
-{
-    bufferChannels.lay (*this, wrapper);
-    player->prepare (sampleRate);
-    describedModel.prepare();
-    reportLatency();
-    changes.post();
-}
-
-void AntinodeProcessor::reset()
-{
-    player->stopAll();
+    return { { Urgency::warning, player->snapshot()->isSolving ? std::string() : player->progress().liveError } };
 }
 
 template <typename Sample>
-void AntinodeProcessor::play (juce::AudioBuffer<Sample>& buffer, const juce::MidiBuffer& midi, bool isBypassed)
+void AntinodeProcessor::playFoci (const AudioBlock<Sample>& block, bool isBypassed)
 {
-    const juce::ScopedNoDenormals noDenormals;
-    BufferChannels::Pointers<Sample> pointers;
-    auto block = bufferChannels.makeBlock (buffer, pointers);
-
-    // A host that hands over fewer channels than it asked for gets silence rather than the wrong ceramics.
-    if (! block)
-    {
-        buffer.clear();
-        return;
-    }
-
     auto now = controls->controls();
     now.isArmed = now.isArmed && ! isBypassed;
     now.mutes = mutedCeramics;
-    const auto events = triggers.read (midi, buffer.getNumSamples());
-
-    if (isNonRealtime())
-    {
-        player->waitUntilSettled (events);
-        block->sensor = nullptr; // A bounce does not depend on how quick its windows are.
-    }
-
-    player->process (*block, events, now);
+    player->process (block, now);
 }
 
-void AntinodeProcessor::processBlock (juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi)
+void AntinodeProcessor::playBlock (const AudioBlock<float>& block, bool isBypassed)
 {
-    play (buffer, midi, false);
+    playFoci (block, isBypassed);
 }
 
-void AntinodeProcessor::processBlock (juce::AudioBuffer<double>& buffer, juce::MidiBuffer& midi)
+void AntinodeProcessor::playBlock (const AudioBlock<double>& block, bool isBypassed)
 {
-    play (buffer, midi, false);
-}
-
-void AntinodeProcessor::processBlockBypassed (juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi)
-{
-    play (buffer, midi, true);
-}
-
-void AntinodeProcessor::processBlockBypassed (juce::AudioBuffer<double>& buffer, juce::MidiBuffer& midi)
-{
-    play (buffer, midi, true);
-}
-
-/** A host prepares us on a thread of its own while messages run on another. Who comes second leaves it to a message
-   that follows: to wait would block a host that waits for the other thread when informed of the latency. */
-void AntinodeProcessor::reportLatency()
-{
-    const juce::ScopedTryLock lock (latencyReports);
-
-    if (lock.isLocked())
-        setLatencySamples (static_cast<int> (player->latencySamples()));
-    else
-        changes.post();
-}
-
-/** The session looks every few milliseconds: that is how soon a host is told of a step, too. */
-PlaySettings AntinodeProcessor::readSettings()
-{
-    if (controls->stepReports().isWaiting())
-        changes.post();
-
-    return controls->settings();
-}
-
-void AntinodeProcessor::reportChanges()
-{
-    reportLatency();
-    controls->stepReports().tell();
-
-    // JUCE has no message of its own for it.
-    if (const auto tail = getTailLengthSeconds(); std::exchange (toldTail, tail) != tail)
-        updateHostDisplay (ChangeDetails().withLatencyChanged (true));
-
-    if (describedModel.replace (player->snapshot()->model))
-        updateHostDisplay (ChangeDetails().withParameterInfoChanged (true));
-
-    if (onChange)
-        onChange();
+    playFoci (block, isBypassed);
 }
 } // namespace antinode

@@ -1,21 +1,14 @@
 #pragma once
 
-#include "BufferChannels.h"
-#include "ChangeMessages.h"
-#include "DescribedModel.h"
-#include "FirstWarning.h"
+#include "DeviceProcessor.h"
 #include "Parameters.h"
-#include "VST3Extensions.h"
 
-#include <antinode_graph/MidiTriggers.h>
 #include <antinode_session/Session.h>
-#include <antinode_session/SessionState.h>
-
-#include <juce_audio_processors/juce_audio_processors.h>
 
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace antinode
 {
@@ -24,11 +17,9 @@ namespace antinode
     The input bus "Sensor" has one channel, or none: what listens to the surface. The main output bus "Ceramics" has 1
    to 64 channels, channel k for ceramic k, 1.0 = the device's full scale; the bus "Monitor" has the velocity at the
    probes, 1.0 = 1 m/s. */
-class AntinodeProcessor : public juce::AudioProcessor, public VST3Extensions
+class AntinodeProcessor : public DeviceProcessor
 {
 public:
-    static constexpr int maximumCeramics = BufferChannels::maximumCeramics;
-
     /** @param ceramics  channels of the main bus at first, 1 to 64
         @param wrapper   what it runs in: decides how channels are laid on wires
         [message thread] */
@@ -53,88 +44,48 @@ public:
     /** Those that are on the surface, as focus() has them behind the fingers of its own. [any but the audio thread] */
     std::vector<Finger> touches() const;
 
-    /** The complete state for a host, without touches. [message thread] */
-    SessionState state() const;
+    /** Without touches. */
+    SessionState state() const override;
+    void setState (const SessionState&, bool isRestored) override;
 
-    /** Goes back to a state. @param isRestored  true where it comes from a file or a host: then a device that requires
-       it is disarmed [message thread] */
-    void setState (const SessionState&, bool isRestored);
-
-    /** The loaded device, and the focus with the touches on its surface. [any but the audio thread] */
-    std::shared_ptr<const DeviceDocument> device() const;
+    /** The focus, with the touches on its surface. [any but the audio thread] */
     std::shared_ptr<const FocusDocument> focus() const;
 
     /** Bit i: ceramic i + 1 is muted. [any] */
     std::uint64_t mutes() const { return mutedCeramics; }
     void setMutes (std::uint64_t mask) { mutedCeramics = mask; }
 
-    /** What the user must know: an unreadable state, missing channels, what cannot be designed or followed. [any but
-       the audio thread] */
-    std::vector<UserMessage> messages() const;
-
-    /** The first warning among them, or empty. [any but the audio thread] */
-    juce::String warning() const { return firstWarning (messages()); }
-
-    /** Called on the message thread after the session or the state have changed. [message thread] */
-    std::function<void()> onChange;
-
     /** Creates the editor; set by programs that have one, so that programs without an editor do not need it. */
     static std::function<juce::AudioProcessorEditor*(AntinodeProcessor&)> makeEditor;
 
     const juce::String getName() const override { return "Antinode"; }
-    void prepareToPlay (double sampleRate, int longestBlock) override;
-    void releaseResources() override {}
-    void reset() override;
+    void reset() override { player->stopAll(); }
     bool getPluginHasMainInput() const override { return false; }
-    bool supportsDoublePrecisionProcessing() const override { return true; }
-    bool isBusesLayoutSupported (const BusesLayout&) const override;
-    bool canAddBus (bool) const override { return false; }
-    bool canRemoveBus (bool) const override { return false; }
-    void processBlock (juce::AudioBuffer<float>&, juce::MidiBuffer&) override;
-    void processBlock (juce::AudioBuffer<double>&, juce::MidiBuffer&) override;
-    void processBlockBypassed (juce::AudioBuffer<float>&, juce::MidiBuffer&) override;
-    void processBlockBypassed (juce::AudioBuffer<double>&, juce::MidiBuffer&) override;
-    juce::AudioProcessorParameter* getBypassParameter() const override { return &controls->bypass(); }
     double getTailLengthSeconds() const override { return player->tailSeconds(); }
     bool acceptsMidi() const override { return true; }
-    bool producesMidi() const override { return false; }
     juce::AudioProcessorEditor* createEditor() override { return makeEditor ? makeEditor (*this) : nullptr; }
     bool hasEditor() const override { return makeEditor != nullptr; }
-    int getNumPrograms() override { return 1; }
-    int getCurrentProgram() override { return 0; }
-    void setCurrentProgram (int) override {}
-    const juce::String getProgramName (int) override { return "Default"; }
-    void changeProgramName (int, const juce::String&) override {}
-    void getStateInformation (juce::MemoryBlock&) override;
-    void setStateInformation (const void*, int) override;
 
 private:
-    static BusesProperties busesFor (int ceramics, WrapperType);
+    AntinodeProcessor (int ceramics, WrapperType wrapper, const SessionState& first);
+    void prepareSession (double sampleRate) override { player->prepare (sampleRate); }
+    ParameterSet& parameterSet() const override { return *controls; }
+    Playing playing() const override;
+    std::vector<UserMessage> ownMessages() const override;
+    void waitUntilSettled (std::span<const FocusEvent> notes) override { player->waitUntilSettled (notes); }
+    void playBlock (const AudioBlock<float>&, bool isBypassed) override;
+    void playBlock (const AudioBlock<double>&, bool isBypassed) override;
     template <typename Sample>
-    void play (juce::AudioBuffer<Sample>&, const juce::MidiBuffer&, bool isBypassed);
+    void playFoci (const AudioBlock<Sample>&, bool isBypassed);
     std::shared_ptr<const FocusDocument> keptFocus() const;
     bool takeFocus (const std::shared_ptr<const FocusDocument>& chosen, const FocusDocument& before);
     void putDown (const std::vector<Finger>& own, const std::vector<Finger>& touching);
-    void reportLatency();
-    void reportChanges();
-    PlaySettings readSettings();
-    void setWarning (const juce::String&);
 
-    WrapperType wrapper;
-    ChangeMessages changes { [this] { reportChanges(); } };
     std::unique_ptr<Parameters> controls;
     std::unique_ptr<Session> player;
-    MidiTriggers triggers { VelocityCurve {} };
     std::atomic<std::uint64_t> mutedCeramics { 0 };
-    BufferChannels bufferChannels;
-    juce::CriticalSection latencyReports; ///< One at a time.
-    DescribedModel describedModel;
-    double toldTail = 0; ///< s; of the message thread.
-
-    mutable juce::CriticalSection documents; ///< For the next lines.
-    std::shared_ptr<const DeviceDocument> loadedDevice;
-    std::shared_ptr<const FocusDocument> loadedFocus, touchedFocus; ///< As it is kept, and with touches.
-    juce::String stateWarning;
+    std::shared_ptr<const FocusDocument> loadedFocus,
+        touchedFocus; ///< As it is kept, and with touches; under `documents`.
 };
 
 /** The embedded demonstrator: the initial state. [worker] */

@@ -1,6 +1,6 @@
 #include "CeramicsAtFirst.h"
 
-#include "BufferChannels.h"
+#include "DeviceProcessor.h"
 
 #include <cstdlib>
 
@@ -15,6 +15,6 @@ int ceramicsAtFirst (juce::AudioProcessor::WrapperType wrapper, int ofBundle)
 
     const auto* const wanted = std::getenv ("ANTINODE_CERAMICS");
     const auto number = wanted != nullptr ? juce::String (wanted).getIntValue() : usual;
-    return number >= 1 && number <= BufferChannels::maximumCeramics ? number : usual;
+    return number >= 1 && number <= DeviceProcessor::maximumCeramics ? number : usual;
 }
 } // namespace antinode

@@ -2,7 +2,6 @@
 
 #include "GroupBuilder.h"
 #include "ParameterTexts.h"
-#include "ParameterValues.h"
 
 #include <antinode_documents/FocusWords.h>
 
@@ -45,8 +44,7 @@ int wordIndex (const Words& words, Value value)
 }
 } // namespace
 
-Parameters::Parameters (juce::AudioProcessor& processor,
-                        const std::function<std::shared_ptr<const ModalModel>()>& model)
+Parameters::Parameters (juce::AudioProcessor& processor, const SurfaceSource& model)
 {
     GroupBuilder focus (processor, "focus", "Focus", ordered);
     x = focus.number ("x", "Focus x", "", { 0, 100 }, 50, placeTexts (model, SurfaceAxis::x));
@@ -87,7 +85,7 @@ Parameters::Parameters (juce::AudioProcessor& processor,
     armed = output.flag ("arm", "Arm", true, "armed", "disarmed", false);
     bypassed = output.flag ("bypass", "Bypass", false, "bypassed", "playing");
     output.addToProcessor();
-    steps = std::make_unique<StepReports> (ordered);
+    begin();
 }
 
 PlaySettings Parameters::settings() const
@@ -154,23 +152,5 @@ void Parameters::setFocus (const PlaySettings& settings)
 
     for (std::size_t i = 0; i < wanted.size(); ++i)
         setValue (*parameters[i], static_cast<double> (wanted[i]));
-}
-
-std::map<std::string, double> Parameters::values() const
-{
-    return parameterValues (ordered);
-}
-
-void Parameters::setValues (const std::map<std::string, double>& named)
-{
-    setParameterValues (ordered, named);
-}
-
-juce::RangedAudioParameter* Parameters::find (const std::string& identifier) const
-{
-    const auto found =
-        std::find_if (ordered.begin(), ordered.end(),
-                      [&] (const auto* parameter) { return parameter->getParameterID() == juce::String (identifier); });
-    return found == ordered.end() ? nullptr : *found;
 }
 } // namespace antinode

@@ -33,18 +33,6 @@ struct Screenshot
     bool hasFingers = false; ///< Rests two fingers and shows what is felt.
 };
 
-std::shared_ptr<const antinode::DeviceDocument> embeddedDevice (const std::string& name)
-{
-    return std::make_shared<const antinode::DeviceDocument> (
-        antinode::readDeviceDocument (antinode::loadDocument (antinode::LibraryKind::device, name), name));
-}
-
-std::shared_ptr<const antinode::FocusDocument> embeddedFocus (const std::string& name)
-{
-    return std::make_shared<const antinode::FocusDocument> (
-        antinode::readFocusDocument (antinode::loadDocument (antinode::LibraryKind::focus, name), name));
-}
-
 void waitUntilShown (antinode::EditorContent& content)
 {
     do
@@ -83,7 +71,7 @@ void write (juce::Component& component, const juce::File& file)
 /** Loads and plays what is wanted. */
 void show (const Screenshot& wanted, antinode::AntinodeProcessor& processor, antinode::Editor& editor)
 {
-    processor.load (embeddedDevice (wanted.device), embeddedFocus (wanted.focus));
+    processor.load (antinode::deviceDocument (wanted.device), antinode::focusDocument (wanted.focus));
     processor.prepareToPlay (sampleRate, blockSize);
     processor.parameters().arm().setValueNotifyingHost (1);
     processor.parameters().find ("notes")->setValueNotifyingHost (1); // no designs for unused notes

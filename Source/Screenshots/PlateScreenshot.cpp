@@ -52,8 +52,7 @@ void takePlate (const juce::File& file)
 {
     PlateProcessor processor (32, juce::AudioProcessor::wrapperType_Undefined);
     processor.setNonRealtime (true);
-    processor.load (std::make_shared<const DeviceDocument> (
-        readDeviceDocument (loadDocument (LibraryKind::device, "glass-148x210"), "glass-148x210")));
+    processor.load (deviceDocument ("glass-148x210"));
     processor.prepareToPlay (rate, block);
     processor.session().waitUntilSettled();
     PlateEditor editor (processor);

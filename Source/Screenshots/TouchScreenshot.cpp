@@ -49,8 +49,7 @@ void playTracks (TouchProcessor& processor, TouchContent& content)
 /** Four fingers on the glass plate, three of which play, and a focus for notes. */
 void putDown (TouchProcessor& processor)
 {
-    processor.load (std::make_shared<const DeviceDocument> (
-        readDeviceDocument (loadDocument (LibraryKind::device, "glass-148x210"), "glass-148x210")));
+    processor.load (deviceDocument ("glass-148x210"));
     processor.parameters().setValues ({ { "finger1_x", 22 },
                                         { "finger1_y", 35 },
                                         { "finger1_state", 2 },
@@ -67,8 +66,7 @@ void putDown (TouchProcessor& processor)
                                         { "finger4_y", 22 },
                                         { "finger4_state", 1 },
                                         { "finger4_load", 1 } });
-    processor.loadFocus (std::make_shared<const FocusDocument> (
-        readFocusDocument (loadDocument (LibraryKind::focus, "glass-centre"), "glass-centre")));
+    processor.loadFocus (focusDocument ("glass-centre"));
     processor.prepareToPlay (touchRate, touchBlock);
 }
 

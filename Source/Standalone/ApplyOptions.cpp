@@ -108,16 +108,8 @@ SettingsFile chooseSettingsFile (const StandaloneOptions& options)
 
 void loadDocuments (StandaloneHost& host, const StandaloneOptions& options)
 {
-    std::shared_ptr<const DeviceDocument> device;
-    std::shared_ptr<const FocusDocument> focus;
-
-    if (const auto& name = options.instrument; ! name.empty())
-        device = std::make_shared<const DeviceDocument> (
-            readDeviceDocument (loadDocument (LibraryKind::device, name), documentSource (LibraryKind::device, name)));
-
-    if (const auto& name = options.focus; ! name.empty())
-        focus = std::make_shared<const FocusDocument> (
-            readFocusDocument (loadDocument (LibraryKind::focus, name), documentSource (LibraryKind::focus, name)));
+    auto device = options.instrument.empty() ? nullptr : deviceDocument (options.instrument);
+    auto focus = options.focus.empty() ? nullptr : focusDocument (options.focus);
 
     if (options.opensGraph)
         host.processor().session().setGraphOpen (true);
@@ -189,9 +181,8 @@ void loadFingers (TouchHost& host, const StandaloneOptions& options)
     std::vector<WantedFinger> fingers;
     std::transform (options.fingers.begin(), options.fingers.end(), std::back_inserter (fingers), readFinger);
 
-    if (const auto& name = options.touch; ! name.empty())
-        host.processor().load (std::make_shared<const DeviceDocument> (
-            readDeviceDocument (loadDocument (LibraryKind::device, name), documentSource (LibraryKind::device, name))));
+    if (! options.touch.empty())
+        host.processor().load (deviceDocument (options.touch));
 
     takeInputs (host, options);
 

@@ -4,7 +4,6 @@
 #include "DeviceWatch.h"
 #include "SettingsFile.h"
 
-#include <Processor/FirstWarning.h>
 #include <Processor/StepParameters.h>
 
 #include <antinode_session/LevelMeters.h>
@@ -78,7 +77,7 @@ public:
     std::vector<UserMessage> messages();
 
     /** The first warning among them, or empty. [message thread] */
-    juce::String warning() { return firstWarning (messages()); }
+    juce::String warning() { return juce::String::fromUTF8 (firstWarning (messages()).c_str()); }
 
     /** A warning about ceramics whose outputs the device does not have, or empty. [message thread] */
     juce::String silentCeramics();

@@ -128,7 +128,7 @@ Json fingersToJson (const StandaloneSettings& settings)
         json["sensor_input"] = toJsonNumber (settings.inputs.sensor);
 
     if (settings.touchState)
-        json["state"] = Json::parse (deviceStateToText (*settings.touchState, touchSchema));
+        json["state"] = Json::parse (stateToText (*settings.touchState, SessionRole::fingers));
 
     return json;
 }
@@ -146,7 +146,7 @@ void readFingers (const JsonValue& value, const Json& json, StandaloneSettings& 
         settings.inputs.sensor = sensor->integer (1, OutputRouting::maximumOutputs) - 1;
 
     if (fingers.has ("state"))
-        settings.touchState = readDeviceState (json["state"].dump(), touchSchema);
+        settings.touchState = readState (json["state"].dump(), SessionRole::fingers);
 }
 
 TouchPorts readTouch (const JsonValue& value)

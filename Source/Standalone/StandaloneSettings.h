@@ -4,7 +4,6 @@
 #include "OutputRouting.h"
 
 #include <antinode_audio/AudioChoice.h>
-#include <antinode_session/DeviceState.h>
 #include <antinode_session/SessionState.h>
 #include <antinode_touch/TouchPorts.h>
 
@@ -35,7 +34,7 @@ struct StandaloneSettings
     double scale = 0;                  ///< Of what the window shows; 0: as large as suits it.
     std::optional<SessionState> state; ///< Device, focus and parameters; none: the demonstrator.
     FingerInputs inputs;               ///< Of Antinode Touch, as the next line.
-    std::optional<DeviceState> touchState;
+    std::optional<SessionState> touchState;
 };
 
 /** JSON of schema antinode.standalone/1; numbers come back to the bit. [worker] Docs/FileFormats.md */

@@ -40,7 +40,7 @@ TouchHost::TouchHost (SettingsFile fileToUse, bool keepsSettings) : AudioHost (s
     {
         auto state = *kept.touchState;
         state.parameters = withoutPorts (std::move (state.parameters));
-        player.setState (state);
+        player.setState (state, true);
     }
 
     begin (player, midiQueue);

@@ -2,7 +2,8 @@
 
 #include <Processor/GroupBuilder.h>
 #include <Processor/ParameterTexts.h>
-#include <Processor/ParameterValues.h>
+
+#include <antinode_graph/FilterNode.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,6 @@ namespace antinode
 {
 namespace
 {
-using TouchModelSource = std::function<std::shared_ptr<const ModalModel>()>;
-
 constexpr double quietest = -60, loudest = 20; // dB
 constexpr float quietestText = -60 + 1e-3F;    // below which it is called silent
 constexpr double metresPerMicrometre = 1e-6;
@@ -22,7 +21,7 @@ constexpr double metresPerMicrometre = 1e-6;
 constexpr std::pair<double, double> firstFingers[mostFingers] = { { 30, 40 }, { 70, 60 }, { 30, 75 }, { 70, 25 },
                                                                   { 50, 50 }, { 15, 20 }, { 85, 80 }, { 50, 15 } };
 
-FingerParameters addFinger (GroupBuilder& group, int index, const TouchModelSource& surface)
+FingerParameters addFinger (GroupBuilder& group, int index, const SurfaceSource& surface)
 {
     const auto number = juce::String (index + 1), identifier = "finger" + number + "_", name = "Finger " + number + " ";
     const auto [x, y] = firstFingers[index];
@@ -38,7 +37,7 @@ FingerParameters addFinger (GroupBuilder& group, int index, const TouchModelSour
 }
 } // namespace
 
-TouchParameters::TouchParameters (juce::AudioProcessor& processor, const TouchModelSource& surface)
+TouchParameters::TouchParameters (juce::AudioProcessor& processor, const SurfaceSource& surface)
 {
     for (int i = 0; i < mostFingers; ++i)
     {
@@ -58,7 +57,7 @@ TouchParameters::TouchParameters (juce::AudioProcessor& processor, const TouchMo
     armed = output.flag ("arm", "Arm", true, "armed", "disarmed", false);
     bypassed = output.flag ("bypass", "Bypass", false, "bypassed", "playing");
     output.addToProcessor();
-    steps = std::make_unique<StepReports> (ordered);
+    begin();
 }
 
 TouchSettings TouchParameters::settings() const
@@ -88,15 +87,5 @@ TouchControls TouchParameters::controls() const
     now.latency = static_cast<std::size_t> (chosenLatency->get());
     now.isArmed = *armed && ! *bypassed;
     return now;
-}
-
-std::map<std::string, double> TouchParameters::values() const
-{
-    return parameterValues (ordered);
-}
-
-void TouchParameters::setValues (const std::map<std::string, double>& named)
-{
-    setParameterValues (ordered, named);
 }
 } // namespace antinode

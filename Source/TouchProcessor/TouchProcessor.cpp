@@ -1,7 +1,6 @@
 #include "TouchProcessor.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_session/FollowingWords.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,18 +32,18 @@ std::function<juce::AudioProcessorEditor*(TouchProcessor&)> TouchProcessor::make
 
 /** It starts with a plate that is solved quickly: fingers rest on plates. */
 TouchProcessor::TouchProcessor (int ceramics, WrapperType wrapper)
-    : DeviceEffect ({ "Fingers", maximumFingers, maximumFingers }, { "Ceramics", ceramics, maximumCeramics },
-                    SensorBus::one, wrapper, touchSchema, "aluminium-200x120")
+    : DeviceProcessor ({ Bus { "Fingers", maximumFingers, maximumFingers }, { "Ceramics", ceramics }, true }, wrapper,
+                       SessionRole::fingers, deviceDocument ("aluminium-200x120"))
 {
-    controls = std::make_unique<TouchParameters> (*this, [this]
-                                                  { return player != nullptr ? player->snapshot()->model : nullptr; });
+    controls = std::make_unique<TouchParameters> (
+        *this, [this] { return player != nullptr ? session().snapshot()->model : nullptr; });
 
     if (wrapper == wrapperType_VST3)
         controls->stepReports().add (addStop());
 
     touches = std::make_unique<NetworkFingers> (
-        *controls, [this] { return inputs(); }, [this] { player->stopAll(); });
-    player = std::make_unique<TouchSession> (
+        *controls, [this] { return inputs(); }, [this] { session().stopAll(); });
+    player = std::make_unique<SessionThread<TouchSession>> (
         *device(), [this] { return readSettings(); }, [this] { post(); });
     begin();
 }
@@ -57,31 +56,39 @@ TouchProcessor::~TouchProcessor()
     touches.reset();
 }
 
-void TouchProcessor::take (std::shared_ptr<const DeviceDocument> device)
+void TouchProcessor::load (std::shared_ptr<const DeviceDocument> device)
 {
+    keep (device);
+
     if (device->description.requiresArming)
         controls->arm().setValueNotifyingHost (0);
 
-    player->load (std::move (device));
+    session().load (std::move (device));
 }
 
-void TouchProcessor::loadFocus (const std::shared_ptr<const FocusDocument>& focus)
-{
-    takeFocus (focus);
-    post();
-}
-
-void TouchProcessor::takeFocus (const std::shared_ptr<const FocusDocument>& wanted)
+void TouchProcessor::loadFocus (const std::shared_ptr<const FocusDocument>& wanted)
 {
     const auto now = focus();
 
     if ((now == nullptr) != (wanted == nullptr) || (now != nullptr && ! sayTheSame (*now, *wanted)))
-        player->loadFocus (wanted);
+        session().loadFocus (wanted);
+
+    post();
 }
 
-void TouchProcessor::takeNotes (const juce::MidiBuffer& midi, int count)
+SessionState TouchProcessor::state() const
 {
-    notes = triggers.read (midi, count);
+    return { device(), focus(), values(), 0, false, (*player)->following().settings() };
+}
+
+void TouchProcessor::setState (const SessionState& wanted, bool)
+{
+    setValues (wanted.parameters, *wanted.device);
+    loadFocus (wanted.focus);
+    session().following().setSettings (wanted.following);
+
+    if (wanted.device->text != device()->text)
+        load (wanted.device);
 }
 
 void TouchProcessor::setValues (const std::map<std::string, double>& wanted, const DeviceDocument& device)
@@ -153,70 +160,58 @@ void TouchProcessor::openPorts (const std::map<std::string, double>& values)
     }
 }
 
-std::vector<UserMessage> TouchProcessor::ownMessages()
+DeviceProcessor::Playing TouchProcessor::playing() const
 {
-    const auto now = player->snapshot();
-    const auto channels = getChannelCountOfBus (false, 0);
-    const auto ceramics = now->model != nullptr ? static_cast<int> (now->model->actuators()) : 0;
+    auto& session = **player;
+    const auto now = session.snapshot();
+    return { now->model, now->error, session.meters().isMutedForBadNumbers(),
+             session.latencySamples (controls->settings().latency), &session.following() };
+}
+
+std::vector<UserMessage> TouchProcessor::ownMessages() const
+{
+    const auto now = (*player)->snapshot();
     std::vector<UserMessage> messages;
     addMessage (messages, Urgency::warning, touches->failure());
-    addMessage (messages, Urgency::warning, now->error);
     addMessage (messages, Urgency::warning, now->formatError);
 
     if (! now->designError.empty())
         addMessage (messages, Urgency::warning, now->designError + "; the filters before play on");
 
-    if (const auto error = player->focusProgress().liveError; ! error.empty())
+    if (const auto error = (*player)->focusProgress().liveError; ! error.empty())
         addMessage (messages, Urgency::warning, "Notes play nothing: " + error);
 
-    if (player->meters().isMutedForBadNumbers())
-        addMessage (messages, Urgency::warning,
-                    "A voltage was not a finite number: all voltages are 0 V until playback starts again.");
-
-    if (ceramics > channels)
-        addMessage (messages, Urgency::warning,
-                    "The device has " + std::to_string (ceramics) + " ceramics, but the output has only "
-                        + std::to_string (channels) + (channels == 1 ? " channel" : " channels") + ": ceramic "
-                        + std::to_string (channels + 1) + " and above get nothing.");
-
-    const auto followed = followingMessage (*player->following().status());
-    addMessage (messages, followed.urgency, followed.text);
     return messages;
 }
 
 template <typename Sample>
-void TouchProcessor::playFingers (const EffectBlock<Sample>& block)
+void TouchProcessor::playFingers (const AudioBlock<Sample>& block, bool isBypassed)
 {
-    // A bounce does not depend on how quick the follower's windows are.
-    const auto* const sensor = isNonRealtime() ? nullptr : block.sensor;
-
-    if (isNonRealtime())
-        player->waitUntilSettled (notes);
-
     auto now = controls->controls();
-    now.isArmed = now.isArmed && ! block.isBypassed;
-    player->process<Sample> ({ block.in, block.out, block.count, notes, sensor }, now);
+    now.isArmed = now.isArmed && ! isBypassed;
+    session().process (block, now);
 }
 
-void TouchProcessor::playChannels (const EffectBlock<float>& block)
+void TouchProcessor::playBlock (const AudioBlock<float>& block, bool isBypassed)
 {
-    playFingers (block);
+    playFingers (block, isBypassed);
 }
 
-void TouchProcessor::playChannels (const EffectBlock<double>& block)
+void TouchProcessor::playBlock (const AudioBlock<double>& block, bool isBypassed)
 {
-    playFingers (block);
+    playFingers (block, isBypassed);
 }
 
-/** As in AntinodeProcessor: a host is told of a step, and of another latency, as soon as the session has looked. */
+/** A host is told of another latency, and a refused port is asked for again, as soon as the session has looked. */
 TouchSettings TouchProcessor::readSettings()
 {
     const auto now = controls->settings();
     const auto isLatencyNew = lookedLatency.exchange (now.latency) != now.latency;
 
-    if (touches->retryWhenDue() || isLatencyNew || controls->stepReports().isWaiting())
+    if (touches->retryWhenDue() || isLatencyNew)
         post();
 
+    reportSteps();
     return now;
 }
 } // namespace antinode

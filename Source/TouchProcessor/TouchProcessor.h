@@ -3,15 +3,15 @@
 #include "NetworkFingers.h"
 #include "TouchParameters.h"
 
-#include <Processor/DeviceEffect.h>
+#include <Processor/DeviceProcessor.h>
 
-#include <antinode_graph/MidiTriggers.h>
 #include <antinode_session/TouchSession.h>
 
 #include <array>
 #include <atomic>
 #include <functional>
 #include <initializer_list>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -25,10 +25,10 @@ namespace antinode
    k for ceramic k, 1.0 = the device's full scale; the input bus
    "Sensor" has one channel, or none: what listens to the surface. Before filters are designed, and unprepared, all
    voltages are 0. A device that has to be armed is disarmed when it is loaded or comes back. */
-class TouchProcessor : public DeviceEffect
+class TouchProcessor : public DeviceProcessor
 {
 public:
-    static constexpr int maximumCeramics = mostChannels, maximumFingers = mostFingers;
+    static constexpr int maximumFingers = mostFingers;
 
     /** What the ports are called among the values of a state. */
     static constexpr std::array portKeys { "osc_port", "tuio_port", "touches_from_network" };
@@ -39,7 +39,7 @@ public:
     TouchProcessor (int ceramics, WrapperType wrapper);
     ~TouchProcessor() override;
 
-    TouchSession& session() { return *player; }
+    TouchSession& session() { return **player; }
     TouchParameters& parameters() { return *controls; }
 
     /** Touches by OSC and TUIO, whose ports the state keeps. None are open at first. */
@@ -49,9 +49,15 @@ public:
         thread] */
     void stopAll() { touches->take ({ TouchKind::stopAll }); }
 
+    /** Loads a device. [message thread] */
+    void load (std::shared_ptr<const DeviceDocument>);
+
     /** What notes play on top of the tracks; none: nothing. The state keeps it. [message thread] */
     void loadFocus (const std::shared_ptr<const FocusDocument>&);
-    std::shared_ptr<const FocusDocument> focus() const { return player->focus(); }
+    std::shared_ptr<const FocusDocument> focus() const { return (*player)->focus(); }
+
+    SessionState state() const override;
+    void setState (const SessionState&, bool isRestored) override;
 
     /** How many fingers have an input. [any] */
     int inputs() const { return getChannelCountOfBus (true, 0); }
@@ -60,40 +66,31 @@ public:
     static std::function<juce::AudioProcessorEditor*(TouchProcessor&)> makeEditor;
 
     const juce::String getName() const override { return "Antinode Touch"; }
-    juce::AudioProcessorParameter* getBypassParameter() const override { return &controls->bypass(); }
-    double getTailLengthSeconds() const override { return player->tailSeconds (controls->settings().latency); }
-    void reset() override { player->stopAll(); }
+    double getTailLengthSeconds() const override { return (*player)->tailSeconds (controls->settings().latency); }
+    void reset() override { (*player)->stopAll(); }
     bool acceptsMidi() const override { return true; }
     juce::AudioProcessorEditor* createEditor() override { return makeEditor ? makeEditor (*this) : nullptr; }
     bool hasEditor() const override { return makeEditor != nullptr; }
 
 private:
-    void take (std::shared_ptr<const DeviceDocument>) override;
-    void prepareSession (double sampleRate) override { player->prepare (sampleRate, inputs()); }
-    std::shared_ptr<const ModalModel> solvedModel() const override { return player->snapshot()->model; }
-    std::map<std::string, double> values() const override;
-    void setValues (const std::map<std::string, double>&, const DeviceDocument&) override;
-    StepReports& stepReports() override { return controls->stepReports(); }
-    std::int64_t latencyToReport() const override { return player->latencySamples (controls->settings().latency); }
-    std::vector<UserMessage> ownMessages() override;
-    std::shared_ptr<const FocusDocument> keptFocus() const override { return focus(); }
-    void takeFocus (const std::shared_ptr<const FocusDocument>&) override;
-    FollowingSettings keptFollowing() const override { return player->following().settings(); }
-    void takeFollowing (const FollowingSettings& wanted) override { player->following().setSettings (wanted); }
-    void takeNotes (const juce::MidiBuffer&, int count) override;
-    void playChannels (const EffectBlock<float>&) override;
-    void playChannels (const EffectBlock<double>&) override;
+    void prepareSession (double sampleRate) override { (*player)->prepare (sampleRate, inputs()); }
+    ParameterSet& parameterSet() const override { return *controls; }
+    Playing playing() const override;
+    std::vector<UserMessage> ownMessages() const override;
+    void waitUntilSettled (std::span<const FocusEvent> notes) override { (*player)->waitUntilSettled (notes); }
+    void playBlock (const AudioBlock<float>&, bool isBypassed) override;
+    void playBlock (const AudioBlock<double>&, bool isBypassed) override;
     template <typename Sample>
-    void playFingers (const EffectBlock<Sample>&);
+    void playFingers (const AudioBlock<Sample>&, bool isBypassed);
     TouchSettings readSettings();
+    std::map<std::string, double> values() const;
+    void setValues (const std::map<std::string, double>&, const DeviceDocument&);
     void openPorts (const std::map<std::string, double>& values);
     std::vector<std::string> touchedKeys (std::initializer_list<const char*> names) const;
 
     std::unique_ptr<TouchParameters> controls;
     std::unique_ptr<NetworkFingers> touches;
-    std::unique_ptr<TouchSession> player;
-    MidiTriggers triggers { VelocityCurve {} };
-    std::span<const FocusEvent> notes;            ///< Of the block that plays; of the audio thread.
+    std::unique_ptr<SessionThread<TouchSession>> player;
     std::atomic<std::size_t> lookedLatency { 0 }; ///< What the session saw last.
 };
 } // namespace antinode

@@ -147,7 +147,7 @@ TEST_CASE ("With fewer inputs than ceramics the others get 0 V, and that is said
     const auto heard = moved (*narrow, voltages, 512);
     REQUIRE (heard.rows() == 1);
     CHECK (narrow->warning()
-           == "The device has 8 ceramics, but the input has only 3 channels: ceramics 4 and up get 0 V.");
+           == "The device has 8 ceramics, but this bus has only 3 channels: ceramic 4 and above stay at 0 V.");
     voltages.bottomRows (5).setZero();
     const auto wide = offlinePlate (64, rate, 512);
     CHECK (moved (*wide, voltages, 512).row (0) == heard.row (0));
@@ -251,7 +251,7 @@ TEST_CASE ("A state that cannot be read changes nothing and is one sentence", "[
     {
         CAPTURE (text);
         setState (*processor, text);
-        CHECK (processor->warning().startsWith ("The saved state could not be read, so nothing was changed: "));
+        CHECK (processor->warning().startsWith ("The saved state could not be read; nothing was changed: "));
         CHECK_FALSE (processor->warning().containsChar ('\n'));
         CHECK (savedState (*processor) == before);
     }

@@ -1,6 +1,6 @@
 #include "PlayedProcessor.h"
 
-#include <Processor/ParameterValues.h>
+#include <Processor/ParameterSet.h>
 #include <Support/JuceMessages.h>
 #include <antinode_focus/Prediction.h>
 #include <antinode_library/Library.h>

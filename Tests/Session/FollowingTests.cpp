@@ -110,8 +110,8 @@ struct FollowedPlay
         // As in a host: the sensor comes in where the first ceramic goes out.
         channels.row (0) = sensor;
         played.session.process<double> (
-            { std::span (pointers).first (8), std::span (pointers).last (2), block, pointers[0] },
-            std::exchange (events, {}), {});
+            { {}, std::span (pointers).first (8), std::span (pointers).last (2), block, events, pointers[0] }, {});
+        events.clear();
         const Eigen::MatrixXd volts = device.nominal.fullScaleVoltage * channels.topRows (8);
         largest = volts.cwiseAbs().rowwise().maxCoeff().cwiseMax (largest);
         isFinite = isFinite && volts.allFinite();

@@ -73,9 +73,12 @@ struct PlayedSession
             for (Eigen::Index i = 0; i < 10; ++i)
                 channels.push_back (&played (i, done));
 
-            session.process<double> (
-                { std::span (channels).first (8), std::span (channels).last (2), std::min (block, samples - done) },
-                events, controls);
+            session.process<double> ({ {},
+                                       std::span (channels).first (8),
+                                       std::span (channels).last (2),
+                                       std::min (block, samples - done),
+                                       events },
+                                     controls);
             events.clear();
         }
 

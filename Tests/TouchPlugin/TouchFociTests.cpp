@@ -163,7 +163,7 @@ TEST_CASE ("A state keeps the focus of Antinode Touch, and one without plays no 
     broken["focus"]["targets"] = 3;
     const auto text = broken.dump();
     bare->setStateInformation (text.data(), static_cast<int> (text.size()));
-    CHECK (bare->warning().startsWith ("The saved state could not be read, so nothing was changed: state: focus"));
+    CHECK (bare->warning().startsWith ("The saved state could not be read; nothing was changed: state: focus"));
     CHECK (bare->focus()->text == plateFocus()->text);
 }
 

@@ -137,7 +137,7 @@ TEST_CASE ("A state of Antinode Touch that cannot be read changes nothing and is
     {
         CAPTURE (text);
         processor->setStateInformation (text.data(), static_cast<int> (text.size()));
-        CHECK (processor->warning().startsWith ("The saved state could not be read, so nothing was changed: "));
+        CHECK (processor->warning().startsWith ("The saved state could not be read; nothing was changed: "));
         CHECK_FALSE (processor->warning().containsChar ('\n'));
         CHECK (stateOf (*processor) == before);
     }

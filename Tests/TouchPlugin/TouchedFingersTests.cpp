@@ -209,10 +209,10 @@ TEST_CASE ("States are kept without touches, and lift none where they come back"
     const auto state = processor->state();
     CHECK (state.parameters.at ("finger2_state") == 0);
     CHECK (state.parameters.at ("finger1_state") == 0); // A touch that leaves lifts its finger.
-    other->setState (state);
+    other->setState (state, true);
     CHECK (presence (*other, 0) == FingerPresence::absent);
     CHECK (presence (*other, 1) == FingerPresence::absent);
-    processor->setState (state);
+    processor->setState (state, true);
     CHECK (presence (*processor, 1) == FingerPresence::plays);
     CHECK (processor->parameters().settings().fingers[1].xPercent == Approx (70));
     processor->network().take (lifting (cursor));
@@ -235,19 +235,19 @@ TEST_CASE ("States keep the ports of touches, and say why one cannot be opened",
     CHECK (first.state().parameters.at ("osc_port") == port);
     CHECK (first.warning().isEmpty());
     TouchProcessor second (8, juce::AudioProcessor::wrapperType_Undefined);
-    second.setState (first.state());
+    second.setState (first.state(), true);
     CHECK (second.warning()
            == "OSC port " + juce::String (port) + ": is in use by another program; allowed: a free port, or 0 for off");
     CHECK (second.network().ports().oscPort == 0);
     first.network().open ({ 0, 0, "127.0.0.1" });
     auto state = second.state();
-    second.setState (state); // The same ports, which are free now.
+    second.setState (state, true); // The same ports, which are free now.
     CHECK (second.warning().isEmpty());
     CHECK (second.network().ports().oscPort == port);
     state.parameters["osc_port"] = 1e9;
-    second.setState (state);
+    second.setState (state, true);
     CHECK (second.warning().contains ("a port is 65536; allowed: 1 to 65535"));
     state.parameters.erase ("osc_port");
-    second.setState (state);
+    second.setState (state, true);
     CHECK (second.warning().isEmpty());
 }

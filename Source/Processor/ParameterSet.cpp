@@ -1,6 +1,4 @@
-#include "ParameterValues.h"
-
-#include "NumberParameter.h"
+#include "ParameterSet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,24 +31,31 @@ void setValue (juce::RangedAudioParameter& parameter, double value)
         parameter.setValueNotifyingHost (parameter.convertTo0to1 (allowed));
 }
 
-std::map<std::string, double> parameterValues (const std::vector<juce::RangedAudioParameter*>& parameters)
+std::map<std::string, double> ParameterSet::values() const
 {
     std::map<std::string, double> named;
 
-    for (const auto* const parameter : parameters)
+    for (const auto* const parameter : ordered)
         named[parameter->getParameterID().toStdString()] = parameterValue (*parameter);
 
     return named;
 }
 
-void setParameterValues (const std::vector<juce::RangedAudioParameter*>& parameters,
-                         const std::map<std::string, double>& named)
+void ParameterSet::setValues (const std::map<std::string, double>& named)
 {
-    for (auto* const parameter : parameters)
+    for (auto* const parameter : ordered)
     {
         const auto found = named.find (parameter->getParameterID().toStdString());
         const auto initial = static_cast<double> (parameter->convertFrom0to1 (parameter->getDefaultValue()));
         setValue (*parameter, found == named.end() ? initial : found->second);
     }
+}
+
+juce::RangedAudioParameter* ParameterSet::find (const std::string& identifier) const
+{
+    const auto found =
+        std::find_if (ordered.begin(), ordered.end(),
+                      [&] (const auto* parameter) { return parameter->getParameterID() == juce::String (identifier); });
+    return found == ordered.end() ? nullptr : *found;
 }
 } // namespace antinode

@@ -1,4 +1,4 @@
-#include "TouchWorker.h"
+#include "TouchSession.h"
 
 #include <antinode_base/Watch.h>
 
@@ -19,14 +19,14 @@ constexpr auto longestQuick = std::chrono::milliseconds (40); // that quick filt
 } // namespace
 
 /** Whether what was asked for before this round is there, or cannot be. */
-bool TouchWorker::isSettled() const
+bool TouchSession::isSettled() const
 {
     return path == nullptr || designedFor == settings;
 }
 
 /** Filters for what the parameters say, unless there are some, and plays them. Those of these places that play for the
    device before it drifted are better than quick ones. */
-void TouchWorker::design()
+void TouchSession::design()
 {
     designer->setFingers (settings);
     designedFor = settings;
@@ -68,7 +68,7 @@ void TouchWorker::design()
 /** Filters for places that may move on before better ones are there: for where fingers will be in the middle of the
     time for which these filters play, until the next ones do.
     @return  whether some play that are for other places than the present ones */
-bool TouchWorker::playQuickly()
+bool TouchSession::playQuickly()
 {
     const auto begin = MovementClock::now();
     const auto fade =
@@ -98,7 +98,7 @@ bool TouchWorker::playQuickly()
 
 /** Whether fingers stay where they are for a moment, or somebody waits for their filters. While they move, quick
    filters have the processor for themselves. */
-bool TouchWorker::areFingersResting()
+bool TouchSession::areFingersResting()
 {
     for (const auto end = MovementClock::now() + touchRest; ! isAwaited();)
     {
@@ -116,19 +116,19 @@ bool TouchWorker::areFingersResting()
 }
 
 /** Whether somebody waits for what is asked for now, or for the end. */
-bool TouchWorker::isAwaited() const
+bool TouchSession::isAwaited() const
 {
     const std::lock_guard lock (mutex);
     return isStopping || nextDevice != nullptr || roundsRequested > roundsDone;
 }
 
 /** Another device or format ends it, and other places, since quick filters for them sound better than none. */
-void TouchWorker::makeDesign()
+void TouchSession::makeDesign()
 {
     present.isDesigning = true;
     present.progress = 0;
     publish();
-    const WatchScope scope ([this] { return ! hasOtherPath() && owner->settings (settings) == settings; });
+    const WatchScope scope ([this] { return ! hasOtherPath() && owner.settings (settings) == settings; });
     designer->makeDesign (settings.latency,
                           [this] (const std::string&, double share)
                           {
@@ -137,21 +137,21 @@ void TouchWorker::makeDesign()
                           });
 }
 
-void TouchWorker::play (std::unique_ptr<const FilterBank> bank, const TouchSettings& places)
+void TouchSession::play (std::unique_ptr<const FilterBank> bank, const TouchSettings& places)
 {
     path->banks().give (std::move (bank));
     present.playedFingers = places;
     publish();
 }
 
-bool TouchWorker::hasOtherPath()
+bool TouchSession::hasOtherPath()
 {
     const std::lock_guard lock (mutex);
     return nextDevice != nullptr || wantedFormat != format;
 }
 
 /** One more latency, so that their volts can be compared; whatever else there is to do ends it. */
-void TouchWorker::compare()
+void TouchSession::compare()
 {
     if (! isComparing || designer == nullptr || ! present.designError.empty() || hasNews())
         return;
@@ -178,7 +178,7 @@ void TouchWorker::compare()
     }
 }
 
-bool TouchWorker::hasNews()
+bool TouchSession::hasNews()
 {
     {
         const std::lock_guard lock (mutex);
@@ -187,6 +187,6 @@ bool TouchWorker::hasNews()
             return true;
     }
 
-    return hasOtherPath() || owner->settings (settings) != settings || designedFor != settings;
+    return hasOtherPath() || owner.settings (settings) != settings || designedFor != settings;
 }
 } // namespace antinode

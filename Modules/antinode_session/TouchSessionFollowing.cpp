@@ -1,4 +1,4 @@
-#include "TouchWorker.h"
+#include "TouchSession.h"
 
 #include "NoteBank.h"
 
@@ -15,7 +15,7 @@ constexpr auto focusRest = std::chrono::milliseconds (500); // for which fingers
 } // namespace
 
 /** Fingers that load the surface make other modes of it. */
-void TouchWorker::takeFollowing()
+void TouchSession::takeFollowing()
 {
     deviceFollowing.take (present.model.get());
 
@@ -31,7 +31,7 @@ void TouchWorker::takeFollowing()
 }
 
 /** New filters for a device that has drifted, while fingers rest: what plays is better for those that move. */
-void TouchWorker::takeDrift()
+void TouchSession::takeDrift()
 {
     const auto areMade = designedFor == settings && designer->design (settings.latency) != nullptr;
 
@@ -43,7 +43,7 @@ void TouchWorker::takeDrift()
     designedFor.reset();
 }
 
-void TouchWorker::makeDesigner()
+void TouchSession::makeDesigner()
 {
     designer =
         std::make_unique<TouchDesigner> (deviceFollowing.driven (present.model), format.sampleRate, format.inputs);
@@ -51,7 +51,7 @@ void TouchWorker::makeDesigner()
 }
 
 /** Notes that somebody waits for are designed for the fingers as they are, others where fingers rest. */
-void TouchWorker::serveFoci()
+void TouchSession::serveFoci()
 {
     auto areNotesAwaited = false;
     {
@@ -67,11 +67,11 @@ void TouchWorker::serveFoci()
                                 deviceFollowing.device (present.model.get()),
                                 deviceFollowing.shift() };
     foci.serve (*path, surface, std::exchange (isPathNew, false),
-                [this, areNotesAwaited] { return areNotesAwaited || owner->settings (settings) == settings; });
+                [this, areNotesAwaited] { return areNotesAwaited || owner.settings (settings) == settings; });
 }
 
 /** Only who renders offline waits for foci: filters have to come soon. */
-void TouchWorker::waitForFoci()
+void TouchSession::waitForFoci()
 {
     std::optional<std::vector<int>> awaited;
     {

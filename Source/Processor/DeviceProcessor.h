@@ -1,0 +1,165 @@
+#pragma once
+
+#include "ChangeMessages.h"
+#include "DescribedModel.h"
+#include "ParameterSet.h"
+#include "VST3Extensions.h"
+
+#include <antinode_graph/MidiTriggers.h>
+#include <antinode_session/AudioBlock.h>
+#include <antinode_session/FollowingRequests.h>
+#include <antinode_session/SessionState.h>
+#include <antinode_session/UserMessages.h>
+
+#include <juce_audio_processors/juce_audio_processors.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** What all our plug-ins are to a host: buses whose channels have fixed wires, a device that is loaded and kept in the
+    state, parameters whose texts are in its mm, a latency and a tail that may change. What becomes of samples is left
+   to those who derive from it, one for each SessionRole. The standalone program has them too. */
+class DeviceProcessor : public juce::AudioProcessor, public VST3Extensions
+{
+public:
+    static constexpr int maximumCeramics = 64; ///< Channels of a bus.
+
+    /** The loaded device. [any but the audio thread] */
+    std::shared_ptr<const DeviceDocument> device() const;
+
+    /** All that a host would keep. [message thread] */
+    virtual SessionState state() const = 0;
+
+    /** Goes back to a state. @param isRestored  true where it comes from a file or a host: then a device that requires
+       it is disarmed [message thread] */
+    virtual void setState (const SessionState&, bool isRestored) = 0;
+
+    /** What the user must know: an unreadable state, missing channels, what cannot be played or followed. [any but the
+        audio thread] */
+    std::vector<UserMessage> messages() const;
+
+    /** The first warning among them, or empty. [any but the audio thread] */
+    juce::String warning() const;
+
+    /** Called on the message thread after the session or the state have changed. [message thread] */
+    std::function<void()> onChange;
+
+    void releaseResources() override {}
+    bool supportsDoublePrecisionProcessing() const override { return true; }
+    bool canAddBus (bool) const override { return false; }
+    bool canRemoveBus (bool) const override { return false; }
+    bool isBusesLayoutSupported (const BusesLayout&) const override;
+    void prepareToPlay (double sampleRate, int longestBlock) override;
+    void processBlock (juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) override
+    {
+        play (buffer, midi, false);
+    }
+    void processBlock (juce::AudioBuffer<double>& buffer, juce::MidiBuffer& midi) override
+    {
+        play (buffer, midi, false);
+    }
+    void processBlockBypassed (juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) override
+    {
+        play (buffer, midi, true);
+    }
+    void processBlockBypassed (juce::AudioBuffer<double>& buffer, juce::MidiBuffer& midi) override
+    {
+        play (buffer, midi, true);
+    }
+    juce::AudioProcessorParameter* getBypassParameter() const override { return &parameterSet().bypass(); }
+    bool acceptsMidi() const override { return false; }
+    bool producesMidi() const override { return false; }
+    int getNumPrograms() override { return 1; }
+    int getCurrentProgram() override { return 0; }
+    void setCurrentProgram (int) override {}
+    const juce::String getProgramName (int) override { return "Default"; }
+    void changeProgramName (int, const juce::String&) override {}
+    void getStateInformation (juce::MemoryBlock&) override;
+    void setStateInformation (const void*, int) override;
+
+protected:
+    struct Bus
+    {
+        juce::String name;
+        int channels = 1; ///< At first.
+        int most = maximumCeramics;
+    };
+
+    /** The main buses, and which others there are. */
+    struct Buses
+    {
+        std::optional<Bus> input;
+        Bus output;
+        bool hasSensor = false, hasMonitor = false;
+    };
+
+    /** What a session plays. */
+    struct Playing
+    {
+        std::shared_ptr<const ModalModel> model; ///< None before the first device is solved.
+        std::string error;                       ///< Why the device that was asked for cannot be played.
+        bool isMuted = false;                    ///< By a number that was not finite.
+        std::int64_t latency = 0;                ///< Samples.
+        const FollowingRequests* following = nullptr;
+    };
+
+    /** @param role  of its states @param first  the device that it starts with [message thread] */
+    DeviceProcessor (const Buses&, WrapperType, SessionRole role, std::shared_ptr<const DeviceDocument> first);
+
+    /** From now on the host is told of changes; to be called when all is made. [message thread] */
+    void begin();
+
+    /** Nothing is called any more; to be called before anything of the derived class is gone. [message thread] */
+    void end() { changes.end(); }
+
+    /** Something has changed: the host and onChange are told. [any but the audio thread] */
+    void post() { changes.post(); }
+
+    /** Where the session looks at the parameters, every few milliseconds: that is how soon a host is told of a step,
+        too. [session's thread] */
+    void reportSteps();
+
+    /** Another device is the loaded one; warnings of a state are over. [any but the audio thread] */
+    void keep (std::shared_ptr<const DeviceDocument>);
+
+    mutable juce::CriticalSection documents; ///< For what is loaded.
+
+private:
+    virtual void prepareSession (double sampleRate) = 0;
+    virtual ParameterSet& parameterSet() const = 0;
+    virtual Playing playing() const = 0;
+    virtual std::vector<UserMessage> ownMessages() const { return {}; } ///< Of its role.
+    virtual void waitUntilSettled (std::span<const FocusEvent> notes) = 0;
+    virtual void playBlock (const AudioBlock<float>&, bool isBypassed) = 0;
+    virtual void playBlock (const AudioBlock<double>&, bool isBypassed) = 0;
+
+    template <typename Sample>
+    void play (juce::AudioBuffer<Sample>&, const juce::MidiBuffer&, bool isBypassed);
+    void orderWires();
+    static BusesProperties properties (const Buses&, WrapperType);
+    int sensorBus() const { return buses.input ? 1 : 0; } ///< Index among the inputs.
+    UserMessage missingChannels (const ModalModel*) const;
+    void reportLatency();
+    void reportChanges();
+
+    Buses buses;
+    WrapperType wrapper;
+    SessionRole role;
+    ChangeMessages changes { [this] { reportChanges(); } };
+    std::vector<int> inputOrder, outputOrder; ///< Buffer channel of channel k; of outputs those of the monitor follow.
+    std::size_t monitors = 0;                 ///< Channels.
+    int sensorChannel = -1;                   ///< Of the buffer; below 0: the host does not use the bus.
+    MidiTriggers triggers { VelocityCurve {} };
+    juce::CriticalSection latencyReports; ///< One at a time.
+    DescribedModel describedModel;
+    double toldTail = 0; ///< s; of the message thread.
+    std::shared_ptr<const DeviceDocument> loadedDevice;
+    juce::String stateWarning;
+};
+} // namespace antinode
