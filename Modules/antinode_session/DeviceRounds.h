@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Amplifiers.h"
 #include "Documents.h"
 #include "SessionOwner.h"
 
@@ -15,11 +16,12 @@
 #include <memory>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 namespace antinode
 {
-/** What an effect on a device asks of its session's thread, and what it gets: a device to solve, a format to play in,
-    waiting until all is taken up, and a snapshot. Requests and answers are under a lock; the thread works in rounds.
+/** What all sessions are asked for, and what they answer: a device to solve, a format to play in, waiting until all is
+    taken up, and a snapshot. Requests and answers are under a lock; the session's thread works in rounds.
     @tparam Snapshot  has device, model, isSolving and error
     @tparam Settings  what parameters say
     @tparam Format    what a host plays; all zero before the first preparation */
@@ -27,12 +29,25 @@ template <typename Snapshot, typename Settings, typename Format>
 class DeviceRounds
 {
 public:
+    virtual ~DeviceRounds() = default;
+    DeviceRounds (const DeviceRounds&) = delete;
+    DeviceRounds& operator= (const DeviceRounds&) = delete;
+
     /** Another device; the one before plays on until it is solved. [any but the audio thread] */
     void load (std::shared_ptr<const DeviceDocument> device)
     {
         const std::lock_guard lock (mutex);
         nextDevice = std::move (device);
         wake.notify_all();
+    }
+
+    /** What the outputs behind the ceramics give, if they differ from the device's full scale; a change of a limit
+       ramps to 0 V and back. @param volts  of a full-scale sample, for each ceramic; 0 or missing: the device's full
+       scale [any but the audio thread] */
+    void setAmplifiers (std::vector<double> volts)
+    {
+        const std::lock_guard lock (mutex);
+        wantedAmplifiers = std::move (volts);
     }
 
     /** Waits until all that was asked for is taken up. [any but a real-time audio thread] */
@@ -77,16 +92,14 @@ protected:
     {
     }
 
-    ~DeviceRounds() = default;
-
     /** Asks for a format, and waits a moment for it. [worker] */
-    void ask (const Format& format)
+    void ask (const Format& format, std::chrono::milliseconds longest = patience)
     {
         std::unique_lock lock (mutex);
         wantedFormat = format;
         const auto round = ++roundsRequested;
         wake.notify_all();
-        settled.wait_for (lock, patience, [&] { return roundsDone >= round; });
+        settled.wait_for (lock, longest, [&] { return roundsDone >= round && isPlayable(); });
     }
 
     // What follows is of the session's thread.
@@ -101,7 +114,7 @@ protected:
     bool awaitRound (std::uint64_t& round)
     {
         std::unique_lock lock (mutex);
-        wake.wait_for (lock, interval, [this] { return isStopping || nextDevice || roundsRequested > roundsDone; });
+        wake.wait_for (lock, interval, [this] { return isStopping || isAnythingNew(); });
         round = roundsRequested;
         return ! isStopping;
     }
@@ -112,6 +125,9 @@ protected:
         roundsDone = round;
         settled.notify_all();
     }
+
+    /** Whether something waits that ends what is being done. Under the lock. */
+    bool isAnythingNew() const { return nextDevice != nullptr || isMoreAsked() || roundsRequested > roundsDone; }
 
     /** @return  whether there is another document now */
     bool takeDocument()
@@ -132,9 +148,10 @@ protected:
     }
 
     /** A newer device ends this one's solving; the next round takes it.
-        @param solved  gives the model of a document */
-    template <typename Solved>
-    void solve (const Solved& solved)
+        @param makeModel  gives the model of a document
+        @param then       called before it is said to be solved */
+    template <typename MakeModel, typename Then>
+    void solve (const MakeModel& makeModel, const Then& then)
     {
         present.isSolving = true;
         publish();
@@ -142,9 +159,11 @@ protected:
         try
         {
             const WatchScope scope ([this] { return ! hasOtherDocument(); });
-            present.model = solved (*present.device);
+            solved = makeModel (*present.device);
+            present.model = withAmplifiers (solved, amplifiers);
             present.error.clear();
             isModelNew = true;
+            then();
         }
         catch (const Cancelled&)
         {
@@ -159,8 +178,33 @@ protected:
         publish();
     }
 
+    /** A path has limits of its own: another one is built where these change. */
+    void takeAmplifiers()
+    {
+        {
+            const std::lock_guard lock (mutex);
+
+            if (amplifiers == wantedAmplifiers)
+                return;
+
+            amplifiers = wantedAmplifiers;
+        }
+
+        if (solved == nullptr)
+            return;
+
+        if (auto made = withAmplifiers (solved, amplifiers); voltageLimits (*made) != voltageLimits (*present.model))
+        {
+            present.model = std::move (made);
+            isModelNew = true;
+            publish();
+        }
+    }
+
     void publish()
     {
+        describe();
+
         {
             const std::lock_guard lock (mutex);
             published = std::make_shared<const Snapshot> (present);
@@ -168,17 +212,29 @@ protected:
         owner.tell();
     }
 
+    /** Whether more is asked for than rounds have. Under the lock. */
+    virtual bool isMoreAsked() const { return false; }
+
+    /** Whether what was asked for plays. Under the lock. */
+    virtual bool isPlayable() const { return true; }
+
+    /** Completes `present` before it is published. */
+    virtual void describe() {}
+
     SessionOwner<Settings> owner;
     std::atomic<bool> isStopping { false };
     mutable std::mutex mutex; ///< For the next lines, and what ends a wait is changed under it.
     std::condition_variable wake, settled;
     std::shared_ptr<const DeviceDocument> nextDevice;
     Format wantedFormat {};
+    std::vector<double> wantedAmplifiers; ///< V
     std::uint64_t roundsRequested = 0, roundsDone = 0;
     std::shared_ptr<const Snapshot> published;
 
     Snapshot present; ///< Of the session's thread, as the next lines.
     Settings settings;
+    std::shared_ptr<const ModalModel> solved; ///< Without the amplifiers.
+    std::vector<double> amplifiers;           ///< V
     bool isModelNew = false;
 };
 } // namespace antinode

@@ -14,7 +14,7 @@ namespace antinode
 namespace
 {
 /** @throws InputError  where it cannot be solved, or has nothing that moves it */
-std::shared_ptr<const ModalModel> solved (const DeviceDocument& document)
+std::shared_ptr<const ModalModel> solvedForPlate (const DeviceDocument& document)
 {
     auto model = std::make_shared<const ModalModel> (solveDevice (document.description, {}, true));
 
@@ -62,7 +62,9 @@ void PlateSession::run()
 void PlateSession::step()
 {
     if (takeDocument())
-        solve (solved);
+        solve (solvedForPlate, [] {});
+
+    takeAmplifiers();
 
     paths.collect();
     const auto before = std::exchange (settings, owner.settings (settings));

@@ -1,48 +1,58 @@
 #include "Session.h"
 
 #include "FocusSettings.h"
-#include "SessionWorker.h"
 
 #include <algorithm>
 #include <utility>
 
+// What front ends ask of a session, and what they are told.
 namespace antinode
 {
-namespace
+Session::Session (DeviceDocument device, FocusDocument focusToPlay, std::function<PlaySettings()> readSettings,
+                  std::function<void()> onChange, TakeFocus takeFocusToCall)
+    : DeviceRounds (std::move (device), std::move (readSettings), std::move (onChange)),
+      takeFocus (std::move (takeFocusToCall)), newest (std::make_shared<const FocusDocument> (std::move (focusToPlay)))
 {
-constexpr auto preparePatience = std::chrono::milliseconds (40); // of a host that prepares us
-} // namespace
-
-Session::Session (DeviceDocument device, FocusDocument focus, ReadSettings read, std::function<void()> changed,
-                  TakeFocus takeFocus)
-    : owner (std::make_shared<SessionOwner<PlaySettings>> (std::move (read), std::move (changed))),
-      requests (std::make_shared<SessionRequests> (std::make_shared<const DeviceDocument> (std::move (device)),
-                                                   std::make_shared<const FocusDocument> (std::move (focus)),
-                                                   spotNote)),
-      entry (std::make_shared<AudioEntry>()),
-      thread ([worker = std::make_shared<SessionWorker> (requests, followingRequests, entry, owner,
-                                                         std::move (takeFocus))] { worker->run(); })
-{
+    asked.focus = newest;
 }
 
-Session::~Session()
+void Session::load (std::shared_ptr<const DeviceDocument> device, std::shared_ptr<const FocusDocument> wanted)
 {
-    requests->stop();
-    owner->leave();
+    const std::lock_guard lock (mutex);
+
+    if (device != nullptr)
+    {
+        nextDevice = std::move (device);
+        asked.choosesFocus = true;
+    }
+
+    if (wanted != nullptr)
+    {
+        asked.choosesFocus = false;
+        asked.focus = newest = std::move (wanted);
+    }
+
+    wake.notify_all();
 }
 
-void Session::load (std::shared_ptr<const DeviceDocument> device, std::shared_ptr<const FocusDocument> focus)
+std::shared_ptr<const FocusDocument> Session::newestFocus() const
 {
-    requests->load (std::move (device), std::move (focus));
+    const std::lock_guard lock (mutex);
+    return newest;
 }
 
 void Session::prepare (double sampleRate)
 {
-    entry->prepare (sampleRate);
+    entry.prepare (sampleRate);
     // At once, although the path may come later: hosts ask for it now.
-    requests->setLatencySamples (
-        estimateLatency (requests->newestFocus()->description, owner->settings ({}), sampleRate));
-    requests->prepare (sampleRate, preparePatience);
+    latency = estimateLatency (newestFocus()->description, owner.settings ({}), sampleRate);
+    ask (sampleRate);
+}
+
+void Session::await (std::optional<std::vector<int>> places)
+{
+    const std::lock_guard lock (mutex);
+    awaited = std::move (places);
 }
 
 void Session::waitUntilSettled (std::span<const FocusEvent> events)
@@ -51,32 +61,37 @@ void Session::waitUntilSettled (std::span<const FocusEvent> events)
 
     for (const auto& event : events)
         if (event.kind == FocusEventKind::trigger)
-            places.push_back (entry->eventPlace (event));
+            places.push_back (entry.eventPlace (event));
 
-    requests->waitUntilSettled (std::move (places));
-}
-
-void Session::designFirst (std::vector<int> notes)
-{
-    requests->designFirst (std::move (notes));
+    await (std::move (places));
+    DeviceRounds::waitUntilSettled();
+    await ({});
 }
 
 void Session::insertNodes (InsertNodes insert)
 {
-    if (! insert)
-        return requests->insertNodes ({});
+    const std::lock_guard lock (mutex);
+    asked.isInsertionNew = true;
+    asked.insert = {};
 
-    requests->insertNodes (
-        [kept = owner, insert = std::move (insert)] (NodeGraph& graph, GraphPlace place, int last)
+    if (insert)
+        asked.insert = [this, insert = std::move (insert)] (NodeGraph& nodes, GraphPlace place, int last)
         {
-            kept->call ([&] { last = insert (graph, place, last); });
+            owner.call ([&] { last = insert (nodes, place, last); });
             return last;
-        });
+        };
+}
+
+void Session::designFirst (std::vector<int> notes)
+{
+    const std::lock_guard lock (mutex);
+    asked.firstNotes = std::move (notes);
+    asked.isOrderNew = true;
 }
 
 void Session::fire (double amplitude)
 {
-    entry->fire (FocusBank::livePlace, amplitude, stops().now());
+    entry.fire (FocusBank::livePlace, amplitude, stops().now());
 }
 
 Session::TouchResult Session::fireAt (double x, double y, double amplitude)
@@ -88,33 +103,31 @@ Session::TouchResult Session::fireAt (double x, double y, double amplitude)
         return TouchResult::notAccepted;
 
     const auto& surface = now->model->surface;
-    const auto isLine = surface.kind == SurfaceKind::line;
 
     if (! liesOn (surface, x, y))
         return TouchResult::outsideSurface;
 
-    return requests->touch ({ x, isLine ? 0.0 : y, amplitude, askedAt }) ? TouchResult::taken
-                                                                         : TouchResult::notAccepted;
-}
+    // Those from before the last stop wait no longer.
+    const std::lock_guard lock (mutex);
+    std::erase_if (asked.touches, [askedAt] (const auto& earlier) { return earlier.askedAt < askedAt; });
 
-void Session::stopAll()
-{
-    stops().stop();
-}
+    if (asked.touches.size() >= FocusBank::touchPlaces)
+        return TouchResult::notAccepted;
 
-double Session::tailSeconds() const
-{
-    const auto end = estimateEnd (requests->newestFocus()->description, owner->settings ({}));
-    return std::max (end, progress().endSeconds) + requests->ringingSeconds();
-}
-
-std::shared_ptr<const SessionSnapshot> Session::snapshot() const
-{
-    return requests->snapshot();
+    asked.touches.push_back ({ x, surface.kind == SurfaceKind::line ? 0.0 : y, amplitude, askedAt });
+    wake.notify_all();
+    return TouchResult::taken;
 }
 
 DesignProgress Session::progress() const
 {
-    return requests->progress();
+    const std::lock_guard lock (mutex);
+    return designs;
+}
+
+double Session::tailSeconds()
+{
+    const auto end = estimateEnd (newestFocus()->description, owner.settings ({}));
+    return std::max (end, progress().endSeconds) + ringing;
 }
 } // namespace antinode

@@ -1,48 +1,47 @@
 #pragma once
 
 #include "AudioEntry.h"
-#include "FollowingRequests.h"
+#include "DeviceFollowing.h"
+#include "DeviceRounds.h"
 #include "NoteBank.h"
-#include "SessionOwner.h"
-#include "SessionRequests.h"
+#include "SessionSnapshot.h"
 
-#include <antinode_base/BackgroundThread.h>
+#include <antinode_fingers/Finger.h>
 
+#include <array>
+#include <atomic>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace antinode
 {
-/** Everything between the front ends and the kernels: turns a device, a focus and parameters into an audio path. The
-   plug-in and the standalone program each have one; neither solves, designs or swaps anything by itself.
+/** Takes over a focus in place of another one. @return  false where that one is not the present one any more */
+using TakeFocus = std::function<bool (const std::shared_ptr<const FocusDocument>& chosen, const FocusDocument& before)>;
 
-    It is three things: requests and answers under a lock (SessionRequests), the work of a thread of its own
-   (SessionWorker), and what the audio thread enters (AudioEntry). The thread looks at the parameters every few
-   milliseconds, so that whoever changes them (a host does it on the audio thread) makes no callbacks. Solving a device
-   and building a path happen there, designing on the path's worker. A new path is handed over by one atomic exchange
-   after the old one has ramped to 0 V, and the old one is freed there. Nothing here waits for that work longer than a
-   moment, the destructor neither: then the thread ends later. Docs/Architecture.md, Session. */
-class Session
+/** Foci of a device: solves it, designs them and lets notes and touches play them. A thread of its own looks at the
+    parameters every few milliseconds, so that whoever changes them (a host does it on the audio thread) makes no
+    callbacks. Solving a device and building a path happen there, designing on the path's worker. A new path is handed
+    over by one atomic exchange after the old one has ramped to 0 V, and the old one is freed there. Nothing here waits
+   for that work longer than a moment. SessionThread makes it, for it lasts as long as its thread. Docs/Architecture.md,
+    Session. */
+class Session : public DeviceRounds<SessionSnapshot, PlaySettings, double>
 {
 public:
     /** Middle C plays the focus at its own position, whatever the other notes play. */
     static constexpr int spotNote = antinode::spotNote;
 
-    using ReadSettings = std::function<PlaySettings()>;
-
-    /** Starts solving the device.
-        @param readSettings  gives what the parameters say; called on the session's thread, must not block
-        @param onChange      called on the session's thread after latency, tail or a snapshot have changed
-        @param takeFocus     takes over the focus that was chosen for a device that came without one, on the session's
-       thread; none: the present focus stays
-        [worker] starts threads */
-    Session (DeviceDocument, FocusDocument, ReadSettings readSettings, std::function<void()> onChange,
+    /** Starts with solving.
+        @param readSettings, onChange  as DeviceRounds
+        @param takeFocus  takes over the focus that was chosen for a device that came without one, on the session's
+                          thread; none: the present focus stays
+        [worker] */
+    Session (DeviceDocument, FocusDocument, std::function<PlaySettings()> readSettings, std::function<void()> onChange,
              TakeFocus takeFocus = {});
-    ~Session();
-    Session (const Session&) = delete;
-    Session& operator= (const Session&) = delete;
 
     /** Another device, focus, or both (none: the present device stays; a device alone gets a focus that suits it).
        Returns at once; what plays ramps out when the new path is ready. [any but the audio thread] */
@@ -57,7 +56,7 @@ public:
     template <typename Sample>
     void process (const AudioBlock<Sample>& block, const PlayControls& controls)
     {
-        entry->process (block, controls);
+        entry.process (block, controls);
     }
 
     /** Waits until all that was loaded is taken up, with what the parameters say, and the focus at its own place is
@@ -67,18 +66,13 @@ public:
 
     /** Plays by separate nodes (openGraph), or by the fused ones, which are the same samples at less cost. What plays
        ramps out when the other path is ready. [any] */
-    void setGraphOpen (bool shouldBeOpen) { requests->setGraphOpen (shouldBeOpen); }
-    bool isGraphOpen() const { return requests->isGraphOpen(); }
+    void setGraphOpen (bool shouldBeOpen) { wantsOpenGraph = shouldBeOpen; }
+    bool isGraphOpen() const { return wantsOpenGraph; }
 
     /** What stands between the nodes of the open graph from the next path on, which is made at once.
         @param insert  called on the session's thread for every path; none: nothing is inserted [any but the audio
        thread] */
     void insertNodes (InsertNodes insert);
-
-    /** What the outputs behind the ceramics give, if they differ from the device's full scale: a limit of all foci.
-        @param volts  of a full-scale sample, for each ceramic; 0 or missing: the device's full scale
-        [any but the audio thread] */
-    void setAmplifiers (std::vector<double> volts) { requests->setAmplifiers (std::move (volts)); }
 
     /** What follows the drift of the device, and what is known: foci are designed for the device as it is. Another
        sensor makes another path; one that cannot be had becomes a status. [any but the audio thread] */
@@ -104,35 +98,98 @@ public:
 
     /** Fades all voices out with the next block, and voids what was asked for before and waits: touches, their designs,
         triggers. [any] */
-    void stopAll();
+    void stopAll() { stops().stop(); }
 
     /** The stops so far: by stopAll(), by prepare(), by all notes off among the events of a block. [any] */
-    StopCount& stops() { return entry->stops(); }
-
-    /** [any but the audio thread] */
-    std::shared_ptr<const SessionSnapshot> snapshot() const;
+    StopCount& stops() { return entry.stops(); }
 
     /** The progress of the designs. [any but the audio thread] */
     DesignProgress progress() const;
 
-    LevelMeters& meters() { return entry->meters(); }
-    const ProbeTrace& probeTrace() const { return entry->probeTrace(); }
+    LevelMeters& meters() { return entry.meters(); }
+    const ProbeTrace& probeTrace() { return entry.probeTrace(); }
 
     /** Samples from a trigger to its focus if foci are delayed onto notes, else 0. [any] */
-    std::int64_t latencySamples() const { return requests->latencySamples(); }
+    std::int64_t latencySamples() const { return latency; }
 
     /** The voltage of a sample of 1.0 in the last block, V; 0 before the first block. [any] */
-    double fullScaleVolts() const { return entry->fullScaleVolts(); }
+    double fullScaleVolts() const { return entry.fullScaleVolts(); }
 
     /** The tail after the last trigger, as the parameters are now: the focus with its brake, lags, and 60 dB of decay
        of the slowest mode. s [any but the audio thread] */
-    double tailSeconds() const;
+    double tailSeconds();
+
+    /** Works until it is stopped; then no path is left. Nothing may be processing by then. [session's thread] */
+    void run();
 
 private:
-    std::shared_ptr<SessionOwner<PlaySettings>> owner;
-    std::shared_ptr<SessionRequests> requests;
+    /** A focus that is to be fired at another position: m, and its amplitude from 0 to 1. */
+    struct Touch
+    {
+        double x = 0, y = 0, amplitude = 1;
+        std::uint64_t askedAt = 0; ///< StopCount::now() then.
+    };
+
+    /** What a round is asked for, beside a device, a format and amplifiers. */
+    struct Requests
+    {
+        bool hasDevice = false;
+        std::shared_ptr<const FocusDocument> focus; ///< None: the present one stays.
+        bool choosesFocus = false;                  ///< Whether the device came without a focus.
+        InsertNodes insert;                         ///< Of the open graph.
+        bool isInsertionNew = false, isOrderNew = false;
+        std::vector<int> firstNotes { spotNote }; ///< Are designed before the others.
+        std::vector<Touch> touches;
+    };
+
+    bool isMoreAsked() const override { return asked.focus != nullptr || ! asked.touches.empty(); }
+    bool isPlayable() const override { return designs.designed > 0 || designs.wanted == 0; }
+    void describe() override;
+    std::shared_ptr<const FocusDocument> newestFocus() const;
+    void await (std::optional<std::vector<int>> places);
+
+    // What follows is of the session's thread.
+
+    Requests take();
+    void step (const Requests&);
+    void takeDocuments (const Requests&);
+    void chooseFocus();
+    void takeFingers();
+    void takeGraphChoice (const Requests&);
+    void buildPath();
+    bool hasDrifted() const;
+    void requestDesigns (const std::vector<int>& firstNotes);
+    std::function<WideModel()> widen() const;
+    void forwardTouches (const std::vector<Touch>&);
+    void waitForDesigns();
+    void setProgress (const DesignProgress&);
+    std::shared_ptr<const DesignDocument> written() const;
+    std::vector<std::pair<double, double>> notePlaces() const;
+    Eigen::MatrixXd probeShapes() const;
+
+    TakeFocus takeFocus;
+    std::atomic<bool> wantsOpenGraph { false };
+    std::atomic<std::int64_t> latency { 0 }; ///< Samples.
+    std::atomic<double> ringing { 1 };       ///< s: lags, and 60 dB of decay of the slowest mode.
+    AudioEntry entry;
+
+    Requests asked;                              ///< So far, for the next round; under the lock, as the next lines.
+    std::shared_ptr<const FocusDocument> newest; ///< Was loaded last.
+    std::optional<std::vector<int>> awaited;     ///< Places of the bank: somebody waits for their designs.
+    DesignProgress designs;
+
+    std::shared_ptr<const FocusDocument> focus; ///< Of the session's thread, as all below.
+    std::shared_ptr<const ModalModel> loadedModel,
+        designedModel;                               ///< Under all fingers, and under those that designs know.
+    std::shared_ptr<const ModalModel> loadedModelOf; ///< What these were made of, with the next two lines.
+    std::vector<Finger> fingers;
+    std::vector<int> idle; ///< Ceramics that listen.
     std::shared_ptr<FollowingRequests> followingRequests = std::make_shared<FollowingRequests>();
-    std::shared_ptr<AudioEntry> entry;
-    BackgroundThread thread;
+    DeviceFollowing deviceFollowing { followingRequests };
+    double rate = 0;           ///< Hz, of the path.
+    AudioPath* path = nullptr; ///< The newest one, which `entry` owns; none where it could not be built.
+    GraphChoice graph;
+    double toldEnd = 0; ///< s, of the foci: the tail that the owner knows.
+    bool isFocusNew = false, isGraphNew = false;
 };
 } // namespace antinode

@@ -27,6 +27,7 @@ struct SessionSnapshot
     Playback playback;
     bool isAsWritten = false; ///< Whether the focus plays a design that was written before.
     bool isSolving = false;   ///< Whether a device is being solved.
-    std::string deviceError;  ///< Why the requested device cannot be played; the previous one then continues.
+    std::string error;        ///< Why the requested device cannot be played: then the previous one continues.
+    std::string fingerError;  ///< Why fingers are left out.
 };
 } // namespace antinode

@@ -1,6 +1,5 @@
 #include "TouchSession.h"
 
-#include "Amplifiers.h"
 #include "NoteBank.h"
 
 #include <antinode_base/InputError.h>
@@ -109,16 +108,13 @@ TouchSettings TouchSession::look()
 /** One round: what was loaded, then the format, then what the parameters say. */
 void TouchSession::step()
 {
-    if (const auto before = present.model; takeDocument())
-    {
-        solve (solvedForTouch);
-
-        if (present.model != before)
-        {
-            playedDevice = present.device;
-            deviceFollowing.forget();
-        }
-    }
+    if (takeDocument())
+        solve (solvedForTouch,
+               [this]
+               {
+                   playedDevice = present.device;
+                   deviceFollowing.forget();
+               });
 
     takeAmplifiers();
     takeFollowing();
@@ -148,38 +144,6 @@ void TouchSession::step()
 
     if (path != nullptr && designedFor != settings)
         design();
-}
-
-void TouchSession::setAmplifiers (std::vector<double> volts)
-{
-    const std::lock_guard lock (mutex);
-    wantedAmplifiers = std::move (volts);
-}
-
-/** A path has limits of its own: another one is built where these change. */
-void TouchSession::takeAmplifiers()
-{
-    const auto isSolvedNew = present.model != limited;
-
-    if (isSolvedNew)
-        solved = present.model;
-
-    {
-        const std::lock_guard lock (mutex);
-
-        if (solved == nullptr || (! isSolvedNew && amplifiers == wantedAmplifiers))
-            return;
-
-        amplifiers = wantedAmplifiers;
-    }
-
-    if (auto made = withAmplifiers (solved, amplifiers);
-        isSolvedNew || voltageLimits (*made) != voltageLimits (*limited))
-    {
-        present.model = limited = std::move (made);
-        isModelNew = true;
-        publish();
-    }
 }
 
 void TouchSession::buildPath()

@@ -95,10 +95,6 @@ public:
         nothing else to do. [any] */
     void setComparing (bool shouldCompare) { isComparing = shouldCompare; }
 
-    /** What amplifiers limit, as withAmplifiers has it; a change of a limit ramps to 0 V and back. [any but the audio
-        thread] */
-    void setAmplifiers (std::vector<double> volts);
-
     /** What follows the drift of the device, and what is known: another sensor makes another path, and filters and foci
         are designed for the device as it is. Docs/Decisions/0158-following-in-touch.md [any but the audio thread] */
     FollowingRequests& following() const { return *followingRequests; }
@@ -123,7 +119,6 @@ private:
     TouchSettings look();
     void step();
     void serveFoci();
-    void takeAmplifiers();
     void takeFollowing();
     void takeDrift();
     void buildPath();
@@ -141,11 +136,9 @@ private:
     bool hasNews();
 
     std::atomic<bool> isComparing { false };
-    std::vector<double> wantedAmplifiers;               ///< V, under the lock.
     std::optional<std::vector<int>> awaitedNotes;       ///< Under the lock: somebody waits for their foci.
-    std::vector<double> amplifiers;                     ///< Of the session's thread, as the next lines.
-    std::shared_ptr<const DeviceDocument> playedDevice; ///< The model's: what was asked for may have no model.
-    std::shared_ptr<const ModalModel> solved, limited;  ///< Without and with the amplifiers.
+    std::shared_ptr<const DeviceDocument> playedDevice; ///< The model's: what was asked for may have no model. Of the
+                                                        ///< session's thread, as the next lines.
     std::optional<TouchSettings> designedFor; ///< Also where that failed: nobody shall try it again and again.
     TouchFormat format;
     SkinThreshold threshold;

@@ -109,7 +109,7 @@ bool TouchSession::areFingersResting()
             return true;
 
         std::unique_lock lock (mutex);
-        wake.wait_for (lock, interval, [this] { return isStopping || nextDevice || roundsRequested > roundsDone; });
+        wake.wait_for (lock, interval, [this] { return isStopping || isAnythingNew(); });
     }
 
     return true;
@@ -119,7 +119,7 @@ bool TouchSession::areFingersResting()
 bool TouchSession::isAwaited() const
 {
     const std::lock_guard lock (mutex);
-    return isStopping || nextDevice != nullptr || roundsRequested > roundsDone;
+    return isStopping || isAnythingNew();
 }
 
 /** Another device or format ends it, and other places, since quick filters for them sound better than none. */

@@ -44,9 +44,8 @@ void PlateProcessor::setState (const SessionState& wanted, bool)
 
 DeviceProcessor::Playing PlateProcessor::playing() const
 {
-    auto& session = **surface;
-    const auto now = session.snapshot();
-    return { now->model, now->error, session.meters().isMutedForBadNumbers(), session.latencySamples() };
+    const auto now = session().snapshot();
+    return { now->model, now->error, session().meters().isMutedForBadNumbers(), session().latencySamples() };
 }
 
 template <typename Sample>

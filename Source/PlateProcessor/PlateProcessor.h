@@ -27,7 +27,7 @@ public:
     PlateProcessor (int ceramics, WrapperType wrapper);
     ~PlateProcessor() override;
 
-    PlateSession& session() { return **surface; }
+    PlateSession& session() const { return **surface; }
     PlateParameters& parameters() { return *controls; }
 
     /** Loads a device. [message thread] */
@@ -43,15 +43,15 @@ public:
     static std::function<juce::AudioProcessorEditor*(PlateProcessor&)> makeEditor;
 
     const juce::String getName() const override { return "Antinode Plate"; }
-    double getTailLengthSeconds() const override { return (*surface)->tailSeconds(); }
+    double getTailLengthSeconds() const override { return session().tailSeconds(); }
     juce::AudioProcessorEditor* createEditor() override { return makeEditor ? makeEditor (*this) : nullptr; }
     bool hasEditor() const override { return makeEditor != nullptr; }
 
 private:
-    void prepareSession (double sampleRate) override { (*surface)->prepare (sampleRate); }
+    void prepareSession (double sampleRate) override { session().prepare (sampleRate); }
     ParameterSet& parameterSet() const override { return *controls; }
     Playing playing() const override;
-    void waitUntilSettled (std::span<const FocusEvent>) override { (*surface)->waitUntilSettled(); }
+    void waitUntilSettled (std::span<const FocusEvent>) override { session().waitUntilSettled(); }
     void playBlock (const AudioBlock<float>&, bool isBypassed) override;
     void playBlock (const AudioBlock<double>&, bool isBypassed) override;
     template <typename Sample>

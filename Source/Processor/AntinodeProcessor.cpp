@@ -23,13 +23,13 @@ AntinodeProcessor::AntinodeProcessor (int ceramics, WrapperType wrapper, const S
       loadedFocus (first.focus), touchedFocus (first.focus)
 {
     controls = std::make_unique<Parameters> (*this, [this]
-                                             { return player != nullptr ? player->snapshot()->model : nullptr; });
+                                             { return player != nullptr ? session().snapshot()->model : nullptr; });
 
     if (wrapper == wrapperType_VST3)
         controls->stepReports().add (addStop());
 
     controls->setFocus (settingsFromFocus (loadedFocus->description, deviceExtent (first.device->description), {}));
-    player = std::make_unique<Session> (
+    player = std::make_unique<SessionThread<Session>> (
         *first.device, *first.focus,
         [this]
         {
@@ -69,7 +69,7 @@ void AntinodeProcessor::load (std::shared_ptr<const DeviceDocument> newDevice,
 
     controls->setFocus (
         settingsFromFocus (focus()->description, deviceExtent (device()->description), controls->settings()));
-    player->load (std::move (newDevice), std::move (newFocus));
+    session().load (std::move (newDevice), std::move (newFocus));
 }
 
 /** On the session's thread. Parameters follow at once, so that nothing else is designed. */
@@ -104,7 +104,7 @@ std::shared_ptr<const FocusDocument> AntinodeProcessor::keptFocus() const
 SessionState AntinodeProcessor::state() const
 {
     return {
-        device(), keptFocus(), controls->values(), mutes(), player->isGraphOpen(), player->following().settings()
+        device(), keptFocus(), controls->values(), mutes(), session().isGraphOpen(), session().following().settings()
     };
 }
 
@@ -128,13 +128,13 @@ void AntinodeProcessor::setState (const SessionState& wanted, bool isRestored)
 
     controls->setValues (values);
     mutedCeramics = wanted.mutes;
-    player->setGraphOpen (wanted.isGraphOpen);
-    player->following().setSettings (wanted.following);
+    session().setGraphOpen (wanted.isGraphOpen);
+    session().following().setSettings (wanted.following);
 
     if (isOtherDevice)
-        player->load (wanted.device, isOtherFocus ? wanted.focus : focus());
+        session().load (wanted.device, isOtherFocus ? wanted.focus : focus());
     else if (isOtherFocus)
-        player->load (nullptr, wanted.focus);
+        session().load (nullptr, wanted.focus);
 }
 
 void AntinodeProcessor::setFingers (const std::vector<Finger>& fingers)
@@ -183,20 +183,20 @@ void AntinodeProcessor::putDown (const std::vector<Finger>& own, const std::vect
         loadedFocus = std::move (kept);
         touchedFocus = touched;
     }
-    player->load (nullptr, isOther ? touched : nullptr);
+    session().load (nullptr, isOther ? touched : nullptr);
 }
 
 DeviceProcessor::Playing AntinodeProcessor::playing() const
 {
-    const auto now = player->snapshot();
-    return { now->model, now->deviceError, player->meters().isMutedForBadNumbers(), player->latencySamples(),
-             &player->following() };
+    const auto now = session().snapshot();
+    return { now->model, now->error.empty() ? now->fingerError : now->error, session().meters().isMutedForBadNumbers(),
+             session().latencySamples(), &session().following() };
 }
 
 /** Those of the device before are over. */
 std::vector<UserMessage> AntinodeProcessor::ownMessages() const
 {
-    return { { Urgency::warning, player->snapshot()->isSolving ? std::string() : player->progress().liveError } };
+    return { { Urgency::warning, session().snapshot()->isSolving ? std::string() : session().progress().liveError } };
 }
 
 template <typename Sample>
@@ -205,7 +205,7 @@ void AntinodeProcessor::playFoci (const AudioBlock<Sample>& block, bool isBypass
     auto now = controls->controls();
     now.isArmed = now.isArmed && ! isBypassed;
     now.mutes = mutedCeramics;
-    player->process (block, now);
+    session().process (block, now);
 }
 
 void AntinodeProcessor::playBlock (const AudioBlock<float>& block, bool isBypassed)

@@ -26,7 +26,7 @@ public:
     AntinodeProcessor (int ceramics, juce::AudioProcessor::WrapperType wrapper);
     ~AntinodeProcessor() override;
 
-    Session& session() { return *player; }
+    Session& session() const { return **player; }
     Parameters& parameters() { return *controls; }
 
     /** Loads a device, a focus, or both, and sets the parameters to the focus. Another device alone gets a focus that
@@ -59,20 +59,20 @@ public:
     static std::function<juce::AudioProcessorEditor*(AntinodeProcessor&)> makeEditor;
 
     const juce::String getName() const override { return "Antinode"; }
-    void reset() override { player->stopAll(); }
+    void reset() override { session().stopAll(); }
     bool getPluginHasMainInput() const override { return false; }
-    double getTailLengthSeconds() const override { return player->tailSeconds(); }
+    double getTailLengthSeconds() const override { return session().tailSeconds(); }
     bool acceptsMidi() const override { return true; }
     juce::AudioProcessorEditor* createEditor() override { return makeEditor ? makeEditor (*this) : nullptr; }
     bool hasEditor() const override { return makeEditor != nullptr; }
 
 private:
     AntinodeProcessor (int ceramics, WrapperType wrapper, const SessionState& first);
-    void prepareSession (double sampleRate) override { player->prepare (sampleRate); }
+    void prepareSession (double sampleRate) override { session().prepare (sampleRate); }
     ParameterSet& parameterSet() const override { return *controls; }
     Playing playing() const override;
     std::vector<UserMessage> ownMessages() const override;
-    void waitUntilSettled (std::span<const FocusEvent> notes) override { player->waitUntilSettled (notes); }
+    void waitUntilSettled (std::span<const FocusEvent> notes) override { session().waitUntilSettled (notes); }
     void playBlock (const AudioBlock<float>&, bool isBypassed) override;
     void playBlock (const AudioBlock<double>&, bool isBypassed) override;
     template <typename Sample>
@@ -82,7 +82,7 @@ private:
     void putDown (const std::vector<Finger>& own, const std::vector<Finger>& touching);
 
     std::unique_ptr<Parameters> controls;
-    std::unique_ptr<Session> player;
+    std::unique_ptr<SessionThread<Session>> player;
     std::atomic<std::uint64_t> mutedCeramics { 0 };
     std::shared_ptr<const FocusDocument> loadedFocus,
         touchedFocus; ///< As it is kept, and with touches; under `documents`.

@@ -32,7 +32,7 @@ bool FociRun::isReady()
     const auto now = session.snapshot();
     const auto progress = session.progress();
 
-    for (const auto* const failure : { &now->deviceError, &progress.liveError })
+    for (const auto* const failure : { &now->error, &now->fingerError, &progress.liveError })
         if (! failure->empty())
             throw InputError ("", *failure);
 

@@ -78,7 +78,7 @@ void TouchProcessor::loadFocus (const std::shared_ptr<const FocusDocument>& want
 
 SessionState TouchProcessor::state() const
 {
-    return { device(), focus(), values(), 0, false, (*player)->following().settings() };
+    return { device(), focus(), values(), 0, false, session().following().settings() };
 }
 
 void TouchProcessor::setState (const SessionState& wanted, bool)
@@ -162,15 +162,14 @@ void TouchProcessor::openPorts (const std::map<std::string, double>& values)
 
 DeviceProcessor::Playing TouchProcessor::playing() const
 {
-    auto& session = **player;
-    const auto now = session.snapshot();
-    return { now->model, now->error, session.meters().isMutedForBadNumbers(),
-             session.latencySamples (controls->settings().latency), &session.following() };
+    const auto now = session().snapshot();
+    return { now->model, now->error, session().meters().isMutedForBadNumbers(),
+             session().latencySamples (controls->settings().latency), &session().following() };
 }
 
 std::vector<UserMessage> TouchProcessor::ownMessages() const
 {
-    const auto now = (*player)->snapshot();
+    const auto now = session().snapshot();
     std::vector<UserMessage> messages;
     addMessage (messages, Urgency::warning, touches->failure());
     addMessage (messages, Urgency::warning, now->formatError);
@@ -178,7 +177,7 @@ std::vector<UserMessage> TouchProcessor::ownMessages() const
     if (! now->designError.empty())
         addMessage (messages, Urgency::warning, now->designError + "; the filters before play on");
 
-    if (const auto error = (*player)->focusProgress().liveError; ! error.empty())
+    if (const auto error = session().focusProgress().liveError; ! error.empty())
         addMessage (messages, Urgency::warning, "Notes play nothing: " + error);
 
     return messages;

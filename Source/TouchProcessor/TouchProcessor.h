@@ -39,7 +39,7 @@ public:
     TouchProcessor (int ceramics, WrapperType wrapper);
     ~TouchProcessor() override;
 
-    TouchSession& session() { return **player; }
+    TouchSession& session() const { return **player; }
     TouchParameters& parameters() { return *controls; }
 
     /** Touches by OSC and TUIO, whose ports the state keeps. None are open at first. */
@@ -54,7 +54,7 @@ public:
 
     /** What notes play on top of the tracks; none: nothing. The state keeps it. [message thread] */
     void loadFocus (const std::shared_ptr<const FocusDocument>&);
-    std::shared_ptr<const FocusDocument> focus() const { return (*player)->focus(); }
+    std::shared_ptr<const FocusDocument> focus() const { return session().focus(); }
 
     SessionState state() const override;
     void setState (const SessionState&, bool isRestored) override;
@@ -66,18 +66,18 @@ public:
     static std::function<juce::AudioProcessorEditor*(TouchProcessor&)> makeEditor;
 
     const juce::String getName() const override { return "Antinode Touch"; }
-    double getTailLengthSeconds() const override { return (*player)->tailSeconds (controls->settings().latency); }
-    void reset() override { (*player)->stopAll(); }
+    double getTailLengthSeconds() const override { return session().tailSeconds (controls->settings().latency); }
+    void reset() override { session().stopAll(); }
     bool acceptsMidi() const override { return true; }
     juce::AudioProcessorEditor* createEditor() override { return makeEditor ? makeEditor (*this) : nullptr; }
     bool hasEditor() const override { return makeEditor != nullptr; }
 
 private:
-    void prepareSession (double sampleRate) override { (*player)->prepare (sampleRate, inputs()); }
+    void prepareSession (double sampleRate) override { session().prepare (sampleRate, inputs()); }
     ParameterSet& parameterSet() const override { return *controls; }
     Playing playing() const override;
     std::vector<UserMessage> ownMessages() const override;
-    void waitUntilSettled (std::span<const FocusEvent> notes) override { (*player)->waitUntilSettled (notes); }
+    void waitUntilSettled (std::span<const FocusEvent> notes) override { session().waitUntilSettled (notes); }
     void playBlock (const AudioBlock<float>&, bool isBypassed) override;
     void playBlock (const AudioBlock<double>&, bool isBypassed) override;
     template <typename Sample>

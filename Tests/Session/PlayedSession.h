@@ -35,7 +35,7 @@ struct PlayedSession
 
     PlayedSession (const DeviceDocument& device, const FocusDocument& focus)
         : settings (settingsFromFocus (focus.description, deviceExtent (device.description), {})),
-          session (
+          thread (
               device, focus, [this] { return read(); }, [] {})
     {
     }
@@ -87,6 +87,7 @@ struct PlayedSession
 
     std::mutex mutex;
     PlaySettings settings;
-    Session session;
+    SessionThread<Session> thread;
+    Session& session = *thread;
 };
 } // namespace antinode::test

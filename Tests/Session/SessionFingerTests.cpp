@@ -45,14 +45,14 @@ TEST_CASE ("Fingers beside the surface of another device are left out, and that 
     played.session.load (nullptr, std::make_shared<const FocusDocument> (far));
     const std::array events { live };
     played.session.waitUntilSettled (events);
-    CHECK (played.session.snapshot()->deviceError.find ("Played without fingers: ") == 0);
-    CHECK (played.session.snapshot()->deviceError.find ("outside the surface") != std::string::npos);
+    CHECK (played.session.snapshot()->fingerError.find ("Played without fingers: ") == 0);
+    CHECK (played.session.snapshot()->fingerError.find ("outside the surface") != std::string::npos);
     played.play (4800);
     CHECK (played.play (2400, { live }).topRows (8).isApprox (before.topRows (8)));
     const std::vector<Finger> fingers { builtInFinger ("light", 0.01, 0) };
     played.session.load (nullptr, std::make_shared<const FocusDocument> (withFingers (far, fingers)));
     played.session.waitUntilSettled();
-    CHECK (played.session.snapshot()->deviceError.empty());
+    CHECK (played.session.snapshot()->fingerError.empty());
 }
 
 TEST_CASE ("A focus keeps its fingers in its text", "[session]")

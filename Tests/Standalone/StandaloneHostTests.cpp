@@ -89,7 +89,7 @@ TEST_CASE ("touches rest as fingers of the focus while they last, and damp what 
     CHECK_FALSE (fingers()[0].isKnown);
     host.processor().session().waitUntilSettled();
     const auto now = host.processor().session().snapshot();
-    CHECK (now->deviceError.empty());
+    CHECK (now->error.empty());
     CHECK (now->focusDocument->description.fingers == fingers());
     CHECK (fingers()[0].x == Approx (0.75 * now->model->surface.xMinimum + 0.25 * now->model->surface.xMaximum));
 

@@ -1,5 +1,6 @@
 #include <antinode_session/DesignWorker.h>
-#include <antinode_session/SessionRequests.h>
+#include <antinode_session/DeviceRounds.h>
+#include <antinode_session/SessionSnapshot.h>
 
 #include <Support/SineBeam.h>
 
@@ -46,6 +47,27 @@ void requireEnd (const Work& work)
     watch.join();
 }
 
+/** A session that does nothing. */
+struct Rounds : DeviceRounds<SessionSnapshot, PlaySettings, double>
+{
+    Rounds()
+        : DeviceRounds (
+            {}, [] { return PlaySettings(); }, [] {})
+    {
+    }
+
+    using DeviceRounds::ask;
+
+    void run()
+    {
+        for (std::uint64_t round = 0; awaitRound (round);)
+        {
+            takeDocument();
+            finish (round);
+        }
+    }
+};
+
 DesignRequest smallRequest()
 {
     DesignRequest request;
@@ -63,29 +85,24 @@ DesignRequest smallRequest()
 TEST_CASE ("Whoever waits for rounds of a session is woken", "[stress]")
 {
     constexpr int waits = 5000;
-    SessionRequests requests (nullptr, nullptr, 60);
+    Rounds rounds;
     requireEnd (
         [&]
         {
             std::atomic<int> prepared { 0 };
-            std::thread session (
-                [&]
-                {
-                    while (const auto round = requests.next())
-                        requests.finish (round->number, {});
-                });
+            std::thread session ([&] { rounds.run(); });
             std::thread host (
                 [&]
                 {
                     for (; prepared < waits; ++prepared)
-                        requests.prepare (48000 + prepared % 2, std::chrono::hours (1));
+                        rounds.ask (48000 + prepared % 2, std::chrono::hours (1));
                 });
 
             for (int i = 0; i < waits; ++i)
-                requests.waitUntilSettled ({ i % 128 });
+                rounds.waitUntilSettled();
 
             host.join();
-            requests.stop();
+            rounds.leave();
             session.join();
             CHECK (prepared == waits);
         });
