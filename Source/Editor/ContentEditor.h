@@ -1,8 +1,11 @@
 #pragma once
 
+#include "EditorPreferences.h"
 #include "WindowScale.h"
 
 #include <juce_audio_processors/juce_audio_processors.h>
+
+#include <memory>
 
 namespace antinode
 {
@@ -66,4 +69,17 @@ private:
     double wantedScale = 0;
     double lastTime = 0; ///< ms
 };
+
+/** A window as dark or light, and as large, as the last one was left; how it is left is kept. [message thread] */
+template <typename Content, typename Processor>
+std::unique_ptr<ContentEditor<Content>> editorAsLeft (Processor& processor)
+{
+    auto editor = std::make_unique<ContentEditor<Content>> (processor);
+    auto& content = editor->content();
+    const auto preferences = readPreferences();
+    content.setDark (preferences.isDark);
+    editor->setContentScale (preferences.scale);
+    content.onTheme = [&content] { keepPreferences ({ content.isDark(), readPreferences().scale }); };
+    return editor;
+}
 } // namespace antinode

@@ -1,9 +1,6 @@
 #include "InstallEditor.h"
 
 #include "Editor.h"
-#include "EditorPreferences.h"
-
-#include <memory>
 
 namespace antinode
 {
@@ -11,14 +8,10 @@ void installEditor()
 {
     AntinodeProcessor::makeEditor = [] (AntinodeProcessor& processor)
     {
-        auto editor = std::make_unique<Editor> (processor);
+        auto editor = editorAsLeft<EditorContent> (processor);
         auto& content = editor->content();
         auto& settings = content.settingsPanel();
-        const auto preferences = readPreferences();
-        content.setDark (preferences.isDark);
-        settings.setScale (preferences.scale);
-        editor->setContentScale (preferences.scale);
-        content.onTheme = [&content] { keepPreferences ({ content.isDark(), readPreferences().scale }); };
+        settings.setScale (readPreferences().scale);
         settings.onScale = [&content, shown = editor.get()] (double scale)
         {
             shown->setContentScale (scale);

@@ -8,7 +8,7 @@
 #include "TouchPanel.h"
 
 #include <Editor/Editor.h>
-#include <TouchEditor/TouchEditor.h>
+#include <Touch/TouchEditor.h>
 
 #include <functional>
 #include <memory>

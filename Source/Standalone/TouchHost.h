@@ -3,7 +3,7 @@
 #include "AudioHost.h"
 #include "MidiInputs.h"
 
-#include <TouchProcessor/TouchProcessor.h>
+#include <Touch/TouchProcessor.h>
 
 #include <map>
 #include <memory>

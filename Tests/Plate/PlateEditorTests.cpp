@@ -1,6 +1,6 @@
 #include "PlayedPlate.h"
 
-#include <PlateEditor/PlateEditor.h>
+#include <Plate/PlateEditor.h>
 
 #include <Support/BlockingActions.h>
 #include <Support/EditorTools.h>

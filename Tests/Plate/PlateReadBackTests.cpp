@@ -1,4 +1,4 @@
-#include <PlateProcessor/PlateProcessor.h>
+#include <Plate/PlateProcessor.h>
 
 #include <Support/ReadBack.h>
 

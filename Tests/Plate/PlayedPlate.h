@@ -3,7 +3,7 @@
 #include <antinode_library/Library.h>
 #include <antinode_session/FocusSettings.h>
 
-#include <PlateProcessor/PlateProcessor.h>
+#include <Plate/PlateProcessor.h>
 #include <nlohmann/json.hpp>
 
 #include <Eigen/Core>

@@ -2,7 +2,7 @@
 
 #include <antinode_library/Library.h>
 
-#include <TouchProcessor/TouchProcessor.h>
+#include <Touch/TouchProcessor.h>
 #include <nlohmann/json.hpp>
 
 #include <Eigen/Core>

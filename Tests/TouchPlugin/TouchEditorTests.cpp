@@ -1,7 +1,7 @@
 #include "PlayedTouch.h"
 
-#include <TouchEditor/LatencyVolts.h>
-#include <TouchEditor/TouchEditor.h>
+#include <Touch/LatencyVolts.h>
+#include <Touch/TouchEditor.h>
 
 #include <Support/BlockingActions.h>
 #include <Support/EditorTools.h>

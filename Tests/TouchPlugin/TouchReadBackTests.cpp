@@ -1,4 +1,4 @@
-#include <TouchProcessor/TouchProcessor.h>
+#include <Touch/TouchProcessor.h>
 
 #include <Support/ReadBack.h>
 

@@ -1,6 +1,6 @@
 #include "PlayedTouch.h"
 
-#include <TouchProcessor/TouchedFingers.h>
+#include <Touch/TouchedFingers.h>
 
 #include <catch2/catch.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <Editor/SurfacePainter.h>
 
-#include <PlateProcessor/PlateProcessor.h>
+#include "PlateProcessor.h"
 
 #include <juce_gui_basics/juce_gui_basics.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <TouchProcessor/TouchProcessor.h>
+#include "TouchProcessor.h"
 
 #include <juce_gui_basics/juce_gui_basics.h>
 

@@ -62,15 +62,12 @@ public:
     /** How many fingers have an input. [any] */
     int inputs() const { return getChannelCountOfBus (true, 0); }
 
-    /** Makes the editor; set by the program that has one. */
-    static std::function<juce::AudioProcessorEditor*(TouchProcessor&)> makeEditor;
-
     const juce::String getName() const override { return "Antinode Touch"; }
     double getTailLengthSeconds() const override { return session().tailSeconds (controls->settings().latency); }
     void reset() override { session().stopAll(); }
     bool acceptsMidi() const override { return true; }
-    juce::AudioProcessorEditor* createEditor() override { return makeEditor ? makeEditor (*this) : nullptr; }
-    bool hasEditor() const override { return makeEditor != nullptr; }
+    juce::AudioProcessorEditor* createEditor() override;
+    bool hasEditor() const override { return true; }
 
 private:
     void prepareSession (double sampleRate) override { session().prepare (sampleRate, inputs()); }

@@ -4,8 +4,6 @@
 
 namespace antinode
 {
-std::function<juce::AudioProcessorEditor*(PlateProcessor&)> PlateProcessor::makeEditor;
-
 PlateProcessor::PlateProcessor (int ceramics, WrapperType wrapper)
     : DeviceProcessor ({ Bus { "Voltages", ceramics }, { "Probes", maximumProbes, maximumProbes } }, wrapper,
                        SessionRole::plate, deviceDocument ("staple"))

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <TouchProcessor/TouchProcessor.h>
+#include "TouchProcessor.h"
 
 #include <vector>
 

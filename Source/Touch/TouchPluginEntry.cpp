@@ -1,5 +1,4 @@
-#include <PlateEditor/InstallPlateEditor.h>
-#include <PlateProcessor/PlateProcessor.h>
+#include "TouchProcessor.h"
 #include <Processor/CeramicsAtFirst.h>
 
 #ifndef ANTINODE_LV2_CERAMICS
@@ -10,7 +9,6 @@ juce::AudioProcessor* JUCE_CALLTYPE createPluginFilter();
 
 juce::AudioProcessor* JUCE_CALLTYPE createPluginFilter()
 {
-    antinode::installPlateEditor();
     const auto wrapper = juce::PluginHostType::getPluginLoadedAs();
-    return new antinode::PlateProcessor (antinode::ceramicsAtFirst (wrapper, ANTINODE_LV2_CERAMICS), wrapper);
+    return new antinode::TouchProcessor (antinode::ceramicsAtFirst (wrapper, ANTINODE_LV2_CERAMICS), wrapper);
 }

@@ -1,6 +1,5 @@
+#include "PlateProcessor.h"
 #include <Processor/CeramicsAtFirst.h>
-#include <TouchEditor/InstallTouchEditor.h>
-#include <TouchProcessor/TouchProcessor.h>
 
 #ifndef ANTINODE_LV2_CERAMICS
 #define ANTINODE_LV2_CERAMICS 8
@@ -10,7 +9,6 @@ juce::AudioProcessor* JUCE_CALLTYPE createPluginFilter();
 
 juce::AudioProcessor* JUCE_CALLTYPE createPluginFilter()
 {
-    antinode::installTouchEditor();
     const auto wrapper = juce::PluginHostType::getPluginLoadedAs();
-    return new antinode::TouchProcessor (antinode::ceramicsAtFirst (wrapper, ANTINODE_LV2_CERAMICS), wrapper);
+    return new antinode::PlateProcessor (antinode::ceramicsAtFirst (wrapper, ANTINODE_LV2_CERAMICS), wrapper);
 }

@@ -28,8 +28,6 @@ int portFrom (double value)
 }
 } // namespace
 
-std::function<juce::AudioProcessorEditor*(TouchProcessor&)> TouchProcessor::makeEditor;
-
 /** It starts with a plate that is solved quickly: fingers rest on plates. */
 TouchProcessor::TouchProcessor (int ceramics, WrapperType wrapper)
     : DeviceProcessor ({ Bus { "Fingers", maximumFingers, maximumFingers }, { "Ceramics", ceramics }, true }, wrapper,

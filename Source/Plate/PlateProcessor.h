@@ -39,13 +39,10 @@ public:
     /** How many probes have an output. [any] */
     int shownProbes() const { return std::min (maximumProbes, getChannelCountOfBus (false, 0)); }
 
-    /** Makes the editor; set by the program that has one. */
-    static std::function<juce::AudioProcessorEditor*(PlateProcessor&)> makeEditor;
-
     const juce::String getName() const override { return "Antinode Plate"; }
     double getTailLengthSeconds() const override { return session().tailSeconds(); }
-    juce::AudioProcessorEditor* createEditor() override { return makeEditor ? makeEditor (*this) : nullptr; }
-    bool hasEditor() const override { return makeEditor != nullptr; }
+    juce::AudioProcessorEditor* createEditor() override;
+    bool hasEditor() const override { return true; }
 
 private:
     void prepareSession (double sampleRate) override { session().prepare (sampleRate); }

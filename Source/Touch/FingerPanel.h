@@ -1,7 +1,7 @@
 #pragma once
 
+#include "TouchProcessor.h"
 #include <Editor/ParameterControl.h>
-#include <TouchProcessor/TouchProcessor.h>
 
 #include <juce_gui_basics/juce_gui_basics.h>
 

@@ -2,7 +2,7 @@
 
 #include <Editor/LibraryButton.h>
 
-#include <TouchProcessor/TouchProcessor.h>
+#include "TouchProcessor.h"
 
 namespace antinode
 {

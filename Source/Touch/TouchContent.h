@@ -11,8 +11,8 @@
 #include <Editor/LocalTooltips.h>
 #include <Editor/StatusLine.h>
 #include <Editor/WindowScale.h>
-#include <PlateEditor/LevelRows.h>
-#include <PlateEditor/MotionView.h>
+#include <Plate/LevelRows.h>
+#include <Plate/MotionView.h>
 
 #include <antinode_base/BackgroundThread.h>
 

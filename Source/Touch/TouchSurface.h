@@ -1,8 +1,8 @@
 #pragma once
 
+#include "TouchProcessor.h"
 #include <Editor/SurfacePainter.h>
-#include <PlateEditor/MotionView.h>
-#include <TouchProcessor/TouchProcessor.h>
+#include <Plate/MotionView.h>
 
 #include <juce_gui_basics/juce_gui_basics.h>
 
