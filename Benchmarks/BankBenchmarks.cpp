@@ -42,7 +42,7 @@ void bankOfAntinode (benchmark::State& state)
     std::vector<double> in (samples, 1.0), out (samples);
     const double* voltages = in.data();
     double* velocities = out.data();
-    bench::measure<double> (state, operations, items, [&] { plate.process (&voltages, &velocities, samples); });
+    bench::measure (state, operations, items, [&] { plate.process (&voltages, &velocities, samples); });
 }
 BENCHMARK (bankOfAntinode)->Iterations (200);
 
@@ -87,7 +87,7 @@ void bankOfPlainLoop (benchmark::State& state)
     }
 
     std::vector<double> in (samples, 1.0), out (samples);
-    bench::measure<double> (state, operations, items, [&] { playPlain (bank, in.data(), out.data()); });
+    bench::measure (state, operations, items, [&] { playPlain (bank, in.data(), out.data()); });
 }
 BENCHMARK (bankOfPlainLoop)->Iterations (200);
 
@@ -112,7 +112,7 @@ void bankOfStk (benchmark::State& state)
             out[n] = sum;
         }
     };
-    bench::measure<double> (state, operations, items, block);
+    bench::measure (state, operations, items, block);
 }
 BENCHMARK (bankOfStk)->Iterations (200);
 
@@ -120,7 +120,7 @@ void bankOfFaust (benchmark::State& state)
 {
     bench::FaustBank bank (rate);
     std::vector<double> in (samples, 1.0), out (samples);
-    bench::measure<double> (state, operations, items, [&] { bank.process (in.data(), out.data(), samples); });
+    bench::measure (state, operations, items, [&] { bank.process (in.data(), out.data(), samples); });
 }
 BENCHMARK (bankOfFaust)->Iterations (200);
 
@@ -128,14 +128,14 @@ void bankOfJuce (benchmark::State& state)
 {
     bench::JuceBank bank (rate, samples);
     std::vector<double> in (samples, 1.0), out (samples);
-    bench::measure<double> (state, operations, items, [&] { bank.process (in.data(), out.data(), samples); });
+    bench::measure (state, operations, items, [&] { bank.process (in.data(), out.data(), samples); });
 }
 BENCHMARK (bankOfJuce)->Iterations (200);
 
 void bankOfCsound (benchmark::State& state)
 {
     bench::CsoundBank bank (rate, samples);
-    bench::measure<double> (state, operations, items, [&] { benchmark::DoNotOptimize (bank.process()); });
+    bench::measure (state, operations, items, [&] { benchmark::DoNotOptimize (bank.process()); });
 }
 BENCHMARK (bankOfCsound)->Iterations (200);
 } // namespace

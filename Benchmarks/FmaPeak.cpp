@@ -38,9 +38,9 @@ double runChains()
     return hn::GetLane (values[0]) + chains * loops; // the loop cannot be left out
 }
 
-int bytesOfVector()
+int lanesOfVector()
 {
-    return static_cast<int> (hn::MaxLanes (hn::ScalableTag<char>()));
+    return static_cast<int> (hn::MaxLanes (hn::ScalableTag<double>()));
 }
 } // namespace antinode::bench::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -51,7 +51,7 @@ namespace antinode::bench
 namespace
 {
 HWY_EXPORT (runChains);
-HWY_EXPORT (bytesOfVector);
+HWY_EXPORT (lanesOfVector);
 } // namespace
 
 double fmaVectorsPerSecond()
@@ -60,16 +60,9 @@ double fmaVectorsPerSecond()
     return 12.0 * 20000 / seconds;
 }
 
-template <>
-int fmaLanes<double>()
+int fmaLanes()
 {
-    return HWY_DYNAMIC_DISPATCH (bytesOfVector)() / static_cast<int> (sizeof (double));
-}
-
-template <>
-int fmaLanes<float>()
-{
-    return HWY_DYNAMIC_DISPATCH (bytesOfVector)() / static_cast<int> (sizeof (float));
+    return HWY_DYNAMIC_DISPATCH (lanesOfVector)();
 }
 } // namespace antinode::bench
 #endif

@@ -8,8 +8,7 @@ namespace antinode::bench
    in registers, in the best instruction set: what kernels are measured against. */
 double fmaVectorsPerSecond();
 
-/** Lanes of such a vector. */
-template <typename Sample>
+/** Lanes of double of such a vector. */
 int fmaLanes();
 
 /** Runs something in slices of about a millisecond, each between two measurements of the peak, and sets the counters
@@ -17,7 +16,7 @@ int fmaLanes();
    disturbed and is dropped; of the others the median counts.
     @param fmas   fused multiplications with additions of single numbers a run
     @param items  mode-samples a run */
-template <typename Sample, typename Work>
+template <typename Work>
 void measure (benchmark::State&, double fmas, double items, const Work&);
 } // namespace antinode::bench
 

@@ -29,7 +29,7 @@ inline double computeMedian (std::vector<double> values)
     return values[values.size() / 2];
 }
 
-template <typename Sample, typename Work>
+template <typename Work>
 void measure (benchmark::State& state, double fmas, double items, const Work& work)
 {
     constexpr double slice = 1e-3; // s: short beside what disturbs, long beside the clock
@@ -44,7 +44,7 @@ void measure (benchmark::State& state, double fmas, double items, const Work& wo
 
         if (std::abs (after - before) < 0.02 * after)
         {
-            const auto possible = 0.5 * (before + after) * seconds * fmaLanes<Sample>();
+            const auto possible = 0.5 * (before + after) * seconds * fmaLanes();
             fractions.push_back (runs * fmas / possible);
             nanoseconds.push_back (1e9 * seconds / (runs * items));
         }

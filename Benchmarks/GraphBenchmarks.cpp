@@ -50,7 +50,7 @@ struct Played
 
     void play (std::span<const FocusEvent> now)
     {
-        graph.graph.processParts<double> (
+        graph.graph.processParts (
             samples, now, [] (int, int, const double* const* outputs) { benchmark::DoNotOptimize (outputs[0][0]); });
     }
 };
@@ -101,7 +101,7 @@ void surfaceMoves (benchmark::State& state)
             in.channel (i)[n] = std::sin (0.02 * n * static_cast<double> (i + 1));
 
     for (auto run : state)
-        node->process (NodeBlock<double> { in.channels(), out.channels(), samples, {} });
+        node->process (NodeBlock { in.channels(), out.channels(), samples, {} });
 
     state.SetItemsProcessed (state.iterations() * samples);
 }

@@ -46,12 +46,11 @@ ModalModel makeModel (int modes, int ceramics)
 }
 
 /** Arguments: modes, ceramics. Counts two operations for the value of an oscillation and one a ceramic. */
-template <typename Sample>
 void synthesis (benchmark::State& state)
 {
     const auto modes = static_cast<int> (state.range (0)), ceramics = static_cast<int> (state.range (1));
     const VoltageSynthesiser synthesiser (makeProgram (modes, ceramics), { Reconstruction::bandLimited, rate });
-    const PlanarBuffer<Sample> channels (ceramics, blockSize);
+    const PlanarBuffer<double> channels (ceramics, blockSize);
     std::int64_t first = 0;
     const auto items = static_cast<double> (modes) * blockSize;
 
@@ -60,37 +59,35 @@ void synthesis (benchmark::State& state)
         synthesiser.add (first, blockSize, 1e-9, channels.channels());
         first = (first + blockSize) % 10000000;
     };
-    bench::measure<Sample> (state, items * (ceramics + 2), items, block);
+    bench::measure (state, items * (ceramics + 2), items, block);
     state.counters["of_a_core"] = state.counters["ns"] * 1e-9 * modes * rate;
 }
 
 /** Arguments: modes, ceramics, probes. Counts two operations for a mode, one a ceramic and one a probe; it needs four
-   for the mode. Double precision within, whatever the samples are. */
-template <typename Sample>
+   for the mode. */
 void plate (benchmark::State& state)
 {
     const auto modes = static_cast<int> (state.range (0)), ceramics = static_cast<int> (state.range (1));
     const auto probes = static_cast<int> (state.range (2));
     RealtimePlate played (makeModel (modes, ceramics), rate, draws (probes, modes));
-    PlanarBuffer<Sample> voltages (ceramics, blockSize), velocities (probes, blockSize);
+    PlanarBuffer<double> voltages (ceramics, blockSize), velocities (probes, blockSize);
     const auto items = static_cast<double> (modes) * blockSize;
 
     voltages.fill (1);
 
     const auto block = [&] { played.process (voltages.channels(), velocities.channels(), blockSize); };
-    bench::measure<double> (state, items * (ceramics + 2 + probes), items, block);
+    bench::measure (state, items * (ceramics + 2 + probes), items, block);
     state.counters["of_a_core"] = state.counters["ns"] * 1e-9 * modes * rate;
 }
 
 /** Argument: ceramics. */
-template <typename Sample>
 void limiter (benchmark::State& state)
 {
     const auto ceramics = static_cast<int> (state.range (0));
     VoltageLimiter limited (Eigen::VectorXd::Constant (ceramics, 1));
-    const PlanarBuffer<Sample> channels (ceramics, blockSize);
+    const PlanarBuffer<double> channels (ceramics, blockSize);
     const auto items = static_cast<double> (ceramics) * blockSize;
-    bench::measure<Sample> (state, items, items, [&] { limited.process (channels.channels(), blockSize); });
+    bench::measure (state, items, items, [&] { limited.process (channels.channels(), blockSize); });
 }
 
 void synthesisSizes (benchmark::internal::Benchmark* benchmark)
@@ -105,14 +102,8 @@ void plateSizes (benchmark::internal::Benchmark* benchmark)
     benchmark->ArgNames ({ "modes", "ceramics", "probes" })->Iterations (100);
 }
 
-BENCHMARK_TEMPLATE (synthesis, double)->Apply (synthesisSizes);
-BENCHMARK_TEMPLATE (synthesis, float)->Apply (synthesisSizes);
-BENCHMARK_TEMPLATE (plate, double)->Apply (plateSizes);
-BENCHMARK_TEMPLATE (plate, float)
-    ->Args ({ 64, 16, 16 })
-    ->ArgNames ({ "modes", "ceramics", "probes" })
-    ->Iterations (100);
-BENCHMARK_TEMPLATE (limiter, double)->Arg (16)->ArgName ("ceramics")->Iterations (100);
-BENCHMARK_TEMPLATE (limiter, float)->Arg (16)->ArgName ("ceramics")->Iterations (100);
+BENCHMARK (synthesis)->Apply (synthesisSizes);
+BENCHMARK (plate)->Apply (plateSizes);
+BENCHMARK (limiter)->Arg (16)->ArgName ("ceramics")->Iterations (100);
 } // namespace
 } // namespace antinode

@@ -58,11 +58,10 @@ struct PlayedVoices
 };
 
 /** Argument: voices. */
-template <typename Sample>
 void sampledVoices (benchmark::State& state)
 {
     PlayedVoices played (static_cast<int> (state.range (0)));
-    const PlanarBuffer<Sample> channels (ceramics, samples);
+    const PlanarBuffer<double> channels (ceramics, samples);
     auto left = 0;
 
     for (auto run : state)
@@ -84,7 +83,6 @@ void sampledVoices (benchmark::State& state)
     const auto audio = static_cast<double> (state.iterations()) * samples / rate; // s
     state.counters["of_a_core"] = benchmark::Counter (audio, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
-BENCHMARK_TEMPLATE (sampledVoices, double)->Arg (1)->Arg (24)->Arg (32)->ArgName ("voices");
-BENCHMARK_TEMPLATE (sampledVoices, float)->Arg (1)->Arg (24)->Arg (32)->ArgName ("voices");
+BENCHMARK (sampledVoices)->Arg (1)->Arg (24)->Arg (32)->ArgName ("voices");
 } // namespace
 } // namespace antinode

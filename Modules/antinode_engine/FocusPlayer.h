@@ -1,6 +1,9 @@
 #pragma once
 
 #include "FocusVoices.h"
+#include "PlanarBuffer.h"
+
+#include <vector>
 
 namespace antinode
 {
@@ -22,32 +25,19 @@ public:
         @param channels  one pointer per ceramic, to count samples each, V; overwritten
         @param count     0 or more
         [audio thread] allocates nothing, locks nothing */
-    template <typename Sample>
-    void process (Sample* const* channels, int count, std::span<const FocusEvent> events);
+    void process (double* const* channels, int count, std::span<const FocusEvent> events);
 
 private:
     static constexpr int fadeChunk = 64; ///< Samples.
 
-    template <typename Sample>
-    void render (Sample* const* channels, int offset, int count);
-    template <typename Sample>
-    void addOscillations (const Voice&, std::int64_t from, std::int64_t to, Sample* const* channels) const;
-    template <typename Sample>
-    void renderVoice (const Voice&, Sample* const* channels, int offset, int count);
-    template <typename Sample>
-    void renderFade (const Voice&, Sample* const* channels, int offset, std::int64_t from, std::int64_t to);
-    template <typename Sample>
-    void fadeOscillations (const Voice&, Sample* const* channels, int offset, std::int64_t from, std::int64_t to);
-    template <typename Sample>
-    const Sample* gainsFrom (std::int64_t sampleOfFade) const;
-    template <typename Sample>
-    Sample* const* scratchChannels();
-    template <typename Sample>
-    Sample* const* shiftedBy (std::int64_t samples, Sample* const* channels);
+    void render (double* const* channels, int offset, int count);
+    void addOscillations (const Voice&, std::int64_t from, std::int64_t to, double* const* channels) const;
+    void renderVoice (const Voice&, double* const* channels, int offset, int count);
+    void renderFade (const Voice&, double* const* channels, int offset, std::int64_t from, std::int64_t to);
+    void fadeOscillations (const Voice&, double* const* channels, int offset, std::int64_t from, std::int64_t to);
+    double* const* shiftedBy (std::int64_t samples, double* const* channels);
 
-    std::vector<double> scratchDouble;
-    std::vector<float> scratchFloat, floatGains; ///< The latter as fadeGains.
-    std::vector<double*> channelsDouble, shiftedDouble;
-    std::vector<float*> channelsFloat, shiftedFloat;
+    PlanarBuffer<double> scratch; ///< Of a fading voice.
+    std::vector<double*> shifted; ///< A pointer a ceramic.
 };
 } // namespace antinode

@@ -83,8 +83,7 @@ void ForcePlayer::list (const Voice& voice, const Part& part, int offset)
         { part.design, part.first, from, to, partKinds * static_cast<int> (voiceIndex (voice)) + part.kind });
 }
 
-template <typename Sample>
-void ForcePlayer::renderPart (const Voice& voice, const Part& part, Sample* const* channels, int offset)
+void ForcePlayer::renderPart (const Voice& voice, const Part& part, double* const* channels, int offset)
 {
     list (voice, part, offset);
     const auto begin = offset + (part.from - clock);
@@ -93,7 +92,7 @@ void ForcePlayer::renderPart (const Voice& voice, const Part& part, Sample* cons
     auto* const* const own = channels + part.first;
 
     for (int c = 0; c < part.size; ++c)
-        std::fill_n (own[c] + begin, count, Sample (0));
+        std::fill_n (own[c] + begin, count, 0.0);
 
     if (part.design != nullptr)
         part.design->addForces (part.from - part.start, count, voice.amplitude, own, begin, part.factors);
@@ -102,12 +101,10 @@ void ForcePlayer::renderPart (const Voice& voice, const Part& part, Sample* cons
 
     for (int c = 0; c < part.size; ++c)
         for (auto n = fadeBegin; n < part.to; ++n)
-            own[c][offset + (n - clock)] *=
-                static_cast<Sample> (fadeGains[static_cast<std::size_t> (n - voice.fadeStart)]);
+            own[c][offset + (n - clock)] *= fadeGains[static_cast<std::size_t> (n - voice.fadeStart)];
 }
 
-template <typename Sample>
-void ForcePlayer::renderVoice (const Voice& voice, Sample* const* channels, int offset, int count)
+void ForcePlayer::renderVoice (const Voice& voice, double* const* channels, int offset, int count)
 {
     const auto& focus = *voice.focus;
     const auto from = std::max (clock, voice.trigger + focus.firstSample);
@@ -120,13 +117,13 @@ void ForcePlayer::renderVoice (const Voice& voice, Sample* const* channels, int 
     auto first = rooms[voiceIndex (voice)].first;
 
     if (from < voice.trigger + focus.endSample)
-        renderPart<Sample> (voice, { &focus.synthesiser, 0, first, oscillations, voice.trigger, from, to, nullptr },
-                            channels, offset);
+        renderPart (voice, { &focus.synthesiser, 0, first, oscillations, voice.trigger, from, to, nullptr }, channels,
+                    offset);
 
     first += oscillations;
 
     if (focus.samples && from < voice.trigger + focus.samples->endSample())
-        renderPart<Sample> (voice, { nullptr, 2, first, ceramics, voice.trigger, from, to, nullptr }, channels, offset);
+        renderPart (voice, { nullptr, 2, first, ceramics, voice.trigger, from, to, nullptr }, channels, offset);
 
     if (! focus.brake || voice.holdsBrake)
         return;
@@ -136,13 +133,11 @@ void ForcePlayer::renderVoice (const Voice& voice, Sample* const* channels, int 
     const auto& brake = focus.brake->designed();
 
     if (to > start + focus.brake->startSample())
-        renderPart<Sample> (voice,
-                            { &brake, 1, first, brake.oscillationCount(), start, from, to, findBrakeFactors (voice) },
-                            channels, offset);
+        renderPart (voice, { &brake, 1, first, brake.oscillationCount(), start, from, to, findBrakeFactors (voice) },
+                    channels, offset);
 }
 
-template <typename Sample>
-void ForcePlayer::process (Sample* const* channels, int count, std::span<const FocusEvent> events)
+void ForcePlayer::process (double* const* channels, int count, std::span<const FocusEvent> events)
 {
     // Not at the end of a block: what stands in the list is still looked at behind this.
     giveUnusedBanks();
@@ -164,7 +159,4 @@ void ForcePlayer::process (Sample* const* channels, int count, std::span<const F
                [] (const ForceStretch& a, const ForceStretch& b)
                { return std::pair (a.rank, a.from) < std::pair (b.rank, b.from); });
 }
-
-template void ForcePlayer::process (float* const*, int, std::span<const FocusEvent>);
-template void ForcePlayer::process (double* const*, int, std::span<const FocusEvent>);
 } // namespace antinode

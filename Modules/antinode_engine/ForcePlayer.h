@@ -36,8 +36,7 @@ public:
     /** Writes a block. Channels that no stretch speaks of keep what they hold.
         @param channels  as many pointers as the stock has, to count samples each; no unit
         [audio thread] allocates nothing, locks nothing */
-    template <typename Sample>
-    void process (Sample* const* channels, int count, std::span<const FocusEvent> events);
+    void process (double* const* channels, int count, std::span<const FocusEvent> events);
 
     /** What the last block holds, voice by voice. Valid until the next one. [audio thread] */
     std::span<const ForceStretch> stretches() const { return listed; }
@@ -68,10 +67,8 @@ private:
     void makeRoom (const Voice&);
     void makeRooms (int count);
     void list (const Voice&, const Part&, int offset);
-    template <typename Sample>
-    void renderVoice (const Voice&, Sample* const* channels, int offset, int count);
-    template <typename Sample>
-    void renderPart (const Voice&, const Part&, Sample* const* channels, int offset);
+    void renderVoice (const Voice&, double* const* channels, int offset, int count);
+    void renderPart (const Voice&, const Part&, double* const* channels, int offset);
 
     int stock;
     std::array<Room, allVoices> rooms {};

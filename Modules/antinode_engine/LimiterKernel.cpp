@@ -17,19 +17,17 @@ namespace
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-template <typename Sample>
-constexpr int lanes = static_cast<int> (hn::MaxLanes (hn::ScalableTag<Sample>()));
+constexpr hn::ScalableTag<double> tag;
+constexpr int lanes = static_cast<int> (hn::MaxLanes (tag));
 
-template <typename Sample>
-int finiteSamples (const Sample* samples, int count)
+int finiteSamples (const double* samples, int count)
 {
-    const hn::ScalableTag<Sample> tag;
-    const auto largest = hn::Set (tag, std::numeric_limits<Sample>::max());
+    const auto largest = hn::Set (tag, std::numeric_limits<double>::max());
     int n = 0;
 
     // Written so that a comparison with NaN ends the loop.
-    while (n + lanes<Sample> <= count && hn::AllTrue (tag, hn::Le (hn::Abs (hn::LoadU (tag, samples + n)), largest)))
-        n += lanes<Sample>;
+    while (n + lanes <= count && hn::AllTrue (tag, hn::Le (hn::Abs (hn::LoadU (tag, samples + n)), largest)))
+        n += lanes;
 
     while (n < count && std::isfinite (samples[n]))
         ++n;
@@ -37,15 +35,13 @@ int finiteSamples (const Sample* samples, int count)
     return n;
 }
 
-template <typename Sample>
-std::int64_t clamp (Sample* samples, int count, Sample limit)
+std::int64_t clamp (double* samples, int count, double limit)
 {
-    const hn::ScalableTag<Sample> tag;
     const auto high = hn::Set (tag, limit), low = hn::Set (tag, -limit);
     std::int64_t beyond = 0;
     int n = 0;
 
-    for (; n + lanes<Sample> <= count; n += lanes<Sample>)
+    for (; n + lanes <= count; n += lanes)
     {
         const auto sample = hn::LoadU (tag, samples + n);
         beyond += static_cast<std::int64_t> (hn::CountTrue (tag, hn::Gt (hn::Abs (sample), high)));
@@ -60,29 +56,11 @@ std::int64_t clamp (Sample* samples, int count, Sample limit)
 
     return beyond;
 }
-
-template <typename Sample>
-void multiply (Sample* samples, const Sample* gains, int count)
-{
-    const hn::ScalableTag<Sample> tag;
-    int n = 0;
-
-    for (; n + lanes<Sample> <= count; n += lanes<Sample>)
-        hn::StoreU (hn::Mul (hn::LoadU (tag, samples + n), hn::LoadU (tag, gains + n)), tag, samples + n);
-
-    for (; n < count; ++n)
-        samples[n] *= gains[n];
-}
 } // namespace
 
-LimiterKernel<double> doubleLimiterKernel()
+LimiterKernel limiterKernelOfTarget()
 {
-    return { &finiteSamples<double>, &clamp<double>, &multiply<double> };
-}
-
-LimiterKernel<float> floatLimiterKernel()
-{
-    return { &finiteSamples<float>, &clamp<float>, &multiply<float> };
+    return { &finiteSamples, &clamp };
 }
 } // namespace antinode::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -92,20 +70,12 @@ namespace antinode
 {
 namespace
 {
-HWY_EXPORT (doubleLimiterKernel);
-HWY_EXPORT (floatLimiterKernel);
+HWY_EXPORT (limiterKernelOfTarget);
 } // namespace
 
-template <>
-LimiterKernel<double> limiterKernel<double>()
+LimiterKernel limiterKernel()
 {
-    return HWY_DYNAMIC_DISPATCH (doubleLimiterKernel)();
-}
-
-template <>
-LimiterKernel<float> limiterKernel<float>()
-{
-    return HWY_DYNAMIC_DISPATCH (floatLimiterKernel)();
+    return HWY_DYNAMIC_DISPATCH (limiterKernelOfTarget)();
 }
 } // namespace antinode
 #endif

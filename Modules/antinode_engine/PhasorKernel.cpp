@@ -15,58 +15,37 @@ namespace
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-template <typename Tag, typename Vector>
-HWY_INLINE void storeAs (Tag narrow, Vector values, float* target)
+HWY_INLINE void findStripPhasors (const SoundingOscillation& oscillation, int strip, double* phasors)
 {
-    hn::StoreU (hn::DemoteTo (narrow, values), narrow, target);
-}
-
-template <typename Tag, typename Vector>
-HWY_INLINE void storeAs (Tag wide, Vector values, double* target)
-{
-    hn::StoreU (values, wide, target);
-}
-
-template <typename Sample>
-HWY_INLINE void findStripPhasors (const SoundingOscillation& oscillation, int strip, Sample* phasors)
-{
-    const hn::CappedTag<double, synthesisStrip> wide;
-    const hn::Rebind<Sample, decltype (wide)> narrow;
-    const auto minimum = hn::Set (
-        wide, static_cast<double> (std::numeric_limits<Sample>::min() / std::numeric_limits<Sample>::epsilon()));
+    constexpr hn::CappedTag<double, synthesisStrip> tag;
+    const auto minimum = hn::Set (tag, std::numeric_limits<double>::min() / std::numeric_limits<double>::epsilon());
     const auto* turns = oscillation.turns + strip * 2 * synthesisStrip;
-    const auto anchorReal = hn::Set (wide, oscillation.anchorReal);
-    const auto anchorImaginary = hn::Set (wide, oscillation.anchorImaginary);
+    const auto anchorReal = hn::Set (tag, oscillation.anchorReal);
+    const auto anchorImaginary = hn::Set (tag, oscillation.anchorImaginary);
 
-    for (int t = 0; t < synthesisStrip; t += static_cast<int> (hn::MaxLanes (wide)))
+    for (int t = 0; t < synthesisStrip; t += static_cast<int> (hn::MaxLanes (tag)))
     {
-        const auto turnReal = hn::Load (wide, turns + t);
-        const auto turnImaginary = hn::Load (wide, turns + synthesisStrip + t);
+        const auto turnReal = hn::Load (tag, turns + t);
+        const auto turnImaginary = hn::Load (tag, turns + synthesisStrip + t);
         const auto real = hn::NegMulAdd (anchorImaginary, turnImaginary, hn::Mul (anchorReal, turnReal));
         const auto imaginary = hn::MulAdd (anchorImaginary, turnReal, hn::Mul (anchorReal, turnImaginary));
         const auto audible = hn::Ge (hn::Max (hn::Abs (real), hn::Abs (imaginary)), minimum);
-        storeAs (narrow, hn::IfThenElseZero (audible, real), phasors + t);
-        storeAs (narrow, hn::IfThenElseZero (audible, imaginary), phasors + synthesisStrip + t);
+        hn::StoreU (hn::IfThenElseZero (audible, real), tag, phasors + t);
+        hn::StoreU (hn::IfThenElseZero (audible, imaginary), tag, phasors + synthesisStrip + t);
     }
 }
 
 /** In a loop of its own: what is stored here must have reached the cache before single numbers are read from it. */
-template <typename Sample>
-void findPhasors (SynthesisChunk<Sample>& chunk, int strip)
+void findPhasors (SynthesisChunk& chunk, int strip)
 {
     for (int c = 0; c < chunk.count; ++c)
         findStripPhasors (chunk.sounding[c], strip, chunk.phasors + c * 2 * synthesisStrip);
 }
 } // namespace
 
-PhasorKernel<double> doublePhasorKernel()
+PhasorKernel phasorKernelOfTarget()
 {
-    return &findPhasors<double>;
-}
-
-PhasorKernel<float> floatPhasorKernel()
-{
-    return &findPhasors<float>;
+    return &findPhasors;
 }
 } // namespace antinode::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -76,20 +55,12 @@ namespace antinode
 {
 namespace
 {
-HWY_EXPORT (doublePhasorKernel);
-HWY_EXPORT (floatPhasorKernel);
+HWY_EXPORT (phasorKernelOfTarget);
 } // namespace
 
-template <>
-PhasorKernel<double> phasorKernel<double>()
+PhasorKernel phasorKernel()
 {
-    return HWY_DYNAMIC_DISPATCH (doublePhasorKernel)();
-}
-
-template <>
-PhasorKernel<float> phasorKernel<float>()
-{
-    return HWY_DYNAMIC_DISPATCH (floatPhasorKernel)();
+    return HWY_DYNAMIC_DISPATCH (phasorKernelOfTarget)();
 }
 } // namespace antinode
 #endif

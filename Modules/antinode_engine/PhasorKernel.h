@@ -6,10 +6,8 @@ namespace antinode
 {
 /** phasors = anchor * turn in a strip of the run, in the form for this processor: AVX-512, AVX2 with FMA, SSSE3 or
    plain C++. A phasor too small for products in normal numbers counts as 0. */
-template <typename Sample>
-using PhasorKernel = void (*) (SynthesisChunk<Sample>&, int strip);
+using PhasorKernel = void (*) (SynthesisChunk&, int strip);
 
 /** The kernel for the processor that runs; hwy::SetSupportedTargetsForTest chooses another one. [worker] */
-template <typename Sample>
-PhasorKernel<Sample> phasorKernel();
+PhasorKernel phasorKernel();
 } // namespace antinode

@@ -58,20 +58,7 @@ PlayableSamples::PlayableSamples (const VoltageProgram& program, Playback playba
             samples.channel (static_cast<std::size_t> (i))[n] = static_cast<float> (values (i, n));
 }
 
-template <>
-const SampleKernel<double>& PlayableSamples::kernel<double>() const
-{
-    return doubles;
-}
-
-template <>
-const SampleKernel<float>& PlayableSamples::kernel<float>() const
-{
-    return floats;
-}
-
-template <typename Sample>
-void PlayableSamples::add (std::int64_t first, int count, double amplitude, Sample* const* channels,
+void PlayableSamples::add (std::int64_t first, int count, double amplitude, double* const* channels,
                            std::ptrdiff_t offset) const
 {
     const auto from = std::max (first, start), to = std::min (first + count, end);
@@ -80,13 +67,12 @@ void PlayableSamples::add (std::int64_t first, int count, double amplitude, Samp
         return;
 
     for (std::size_t i = 0; i < samples.size(); ++i)
-        kernel<Sample>().addScaled (samples.channel (i) + (from - start), static_cast<Sample> (amplitude),
-                                    channels[i] + offset + (from - first), static_cast<int> (to - from));
+        kernel.addScaled (samples.channel (i) + (from - start), amplitude, channels[i] + offset + (from - first),
+                          static_cast<int> (to - from));
 }
 
-template <typename Sample>
-void PlayableSamples::addFaded (std::int64_t first, int count, double amplitude, const Sample* gains,
-                                Sample* const* channels) const
+void PlayableSamples::addFaded (std::int64_t first, int count, double amplitude, const double* gains,
+                                double* const* channels) const
 {
     const auto from = std::max (first, start), to = std::min (first + count, end);
 
@@ -94,13 +80,7 @@ void PlayableSamples::addFaded (std::int64_t first, int count, double amplitude,
         return;
 
     for (std::size_t i = 0; i < samples.size(); ++i)
-        kernel<Sample>().addFaded (samples.channel (i) + (from - start), gains + (from - first),
-                                   static_cast<Sample> (amplitude), channels[i] + (from - first),
-                                   static_cast<int> (to - from));
+        kernel.addFaded (samples.channel (i) + (from - start), gains + (from - first), amplitude,
+                         channels[i] + (from - first), static_cast<int> (to - from));
 }
-
-template void PlayableSamples::addFaded (std::int64_t, int, double, const double*, double* const*) const;
-template void PlayableSamples::addFaded (std::int64_t, int, double, const float*, float* const*) const;
-template void PlayableSamples::add (std::int64_t, int, double, double* const*, std::ptrdiff_t) const;
-template void PlayableSamples::add (std::int64_t, int, double, float* const*, std::ptrdiff_t) const;
 } // namespace antinode

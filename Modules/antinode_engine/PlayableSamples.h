@@ -42,23 +42,17 @@ public:
         @param amplitude  no unit
         @param channels   channelCount() pointers, V; sample n of the block is added at channels[i][offset + n]
         [audio thread] allocates nothing, locks nothing, any count >= 0, any order of blocks */
-    template <typename Sample>
-    void add (std::int64_t first, int count, double amplitude, Sample* const* channels,
+    void add (std::int64_t first, int count, double amplitude, double* const* channels,
               std::ptrdiff_t offset = 0) const;
 
     /** The same, where a voice fades.
         @param gains  of each sample of the block
         [audio thread] as add */
-    template <typename Sample>
-    void addFaded (std::int64_t first, int count, double amplitude, const Sample* gains, Sample* const* channels) const;
+    void addFaded (std::int64_t first, int count, double amplitude, const double* gains, double* const* channels) const;
 
 private:
-    template <typename Sample>
-    const SampleKernel<Sample>& kernel() const;
-
     std::int64_t start = 0, end = 0;
     PlanarBuffer<float> samples;
-    SampleKernel<double> doubles = sampleKernel<double>();
-    SampleKernel<float> floats = sampleKernel<float>();
+    SampleKernel kernel = sampleKernel();
 };
 } // namespace antinode

@@ -170,8 +170,7 @@ void RealtimePlate::modalVelocities (std::span<double> velocities) const
     }
 }
 
-template <typename Sample>
-void RealtimePlate::process (const Sample* const* voltages, Sample* const* velocities, int count)
+void RealtimePlate::process (const double* const* voltages, double* const* velocities, int count)
 {
     auto tile = sizes;
     tile.drive = drive.data();
@@ -202,11 +201,7 @@ void RealtimePlate::process (const Sample* const* voltages, Sample* const* veloc
         probes.write (tile);
 
         for (std::ptrdiff_t p = 0; p < tile.probes; ++p)
-            std::transform (outputs.data() + p * plateTile, outputs.data() + p * plateTile + tile.samples,
-                            velocities[p] + done, [] (double value) { return static_cast<Sample> (value); });
+            std::copy_n (outputs.data() + p * plateTile, tile.samples, velocities[p] + done);
     }
 }
-
-template void RealtimePlate::process (const double* const*, double* const*, int);
-template void RealtimePlate::process (const float* const*, float* const*, int);
 } // namespace antinode

@@ -20,9 +20,9 @@ namespace antinode
    mode of Q = 60 that is driven at its own frequency therefore moves as in PlateModel within 1e-3 of its peak up to a
    tenth of the sample rate. Modes above half of the rate would fold and are left out. For results there is PlateModel.
 
-    Double precision whatever the samples' type. The output does not depend, to the bit, on how the samples are cut into
-    blocks. States below 1e-200 become 0, so that no denormal numbers slow a silent plate down. A voltage that is not
-   finite stays in the state until reset: VoltageLimiter stands before this. Docs/Theory.md, section 6.5. */
+    The output does not depend, to the bit, on how the samples are cut into blocks. States below 1e-200 become 0, so
+   that no denormal numbers slow a silent plate down. A voltage that is not finite stays in the state until reset:
+   VoltageLimiter stands before this. Docs/Theory.md, section 6.5. */
 class RealtimePlate
 {
 public:
@@ -37,8 +37,7 @@ public:
         @param velocities  N_probes pointers to count samples each, m/s
         @param count       at least 0
         [audio thread] allocates nothing, locks nothing */
-    template <typename Sample>
-    void process (const Sample* const* voltages, Sample* const* velocities, int count);
+    void process (const double* const* voltages, double* const* velocities, int count);
 
     /** Goes on from where another plate is, of the same model and rate, but with other probes. [audio thread] */
     void copyMotion (const RealtimePlate&);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace antinode
 {
@@ -15,10 +16,7 @@ double safeGain (double gain)
 }
 } // namespace
 
-SafetyRamp::SafetyRamp (double gain)
-    : start (safeGain (gain)), end (start), doubles (limiterKernel<double>()), floats (limiterKernel<float>())
-{
-}
+SafetyRamp::SafetyRamp (double gain) : start (safeGain (gain)), end (start) {}
 
 void SafetyRamp::setTarget (double target, std::int64_t samples)
 {
@@ -30,18 +28,6 @@ void SafetyRamp::setTarget (double target, std::int64_t samples)
 double SafetyRamp::gain() const
 {
     return left > 0 ? end + (start - end) * (static_cast<double> (left) / static_cast<double> (length)) : end;
-}
-
-template <>
-const LimiterKernel<double>& SafetyRamp::kernel<double>() const
-{
-    return doubles;
-}
-
-template <>
-const LimiterKernel<float>& SafetyRamp::kernel<float>() const
-{
-    return floats;
 }
 
 template <typename Sample>
@@ -60,7 +46,8 @@ void SafetyRamp::process (Sample* const* channels, int channelCount, int count)
         }
 
         for (int i = 0; i < channelCount; ++i)
-            kernel<Sample>().multiply (channels[i] + done, gains.data(), samples);
+            std::transform (gains.data(), gains.data() + samples, channels[i] + done, channels[i] + done,
+                            std::multiplies<>());
 
         done += samples;
     }

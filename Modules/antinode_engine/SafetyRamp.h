@@ -1,7 +1,5 @@
 #pragma once
 
-#include "LimiterKernel.h"
-
 #include <cstdint>
 
 namespace antinode
@@ -29,18 +27,13 @@ public:
     /** Whether the gain has not reached its target. [audio thread] */
     bool isMoving() const { return left > 0; }
 
-    /** Multiplies planar channels in place. @param channels  pointers to count samples each
+    /** Multiplies planar channels, of double or float, in place. @param channels  pointers to count samples each
         [audio thread] allocates nothing, locks nothing, any count >= 0 */
     template <typename Sample>
     void process (Sample* const* channels, int channelCount, int count);
 
 private:
-    template <typename Sample>
-    const LimiterKernel<Sample>& kernel() const;
-
     double start = 1, end = 1;
     std::int64_t length = 0, left = 0; // samples
-    LimiterKernel<double> doubles;
-    LimiterKernel<float> floats;
 };
 } // namespace antinode

@@ -1,7 +1,6 @@
 #include "SampleKernel.h"
 
 #include <algorithm>
-#include <type_traits>
 
 // Highway includes this file once a target, each time with another HWY_NAMESPACE.
 #undef HWY_TARGET_INCLUDE
@@ -16,49 +15,36 @@ namespace
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-template <typename Sample>
-constexpr int sampleLanes = static_cast<int> (hn::MaxLanes (hn::ScalableTag<Sample>()));
+constexpr hn::ScalableTag<double> tag;
+constexpr hn::Rebind<float, decltype (tag)> floats;
+constexpr int lanes = static_cast<int> (hn::MaxLanes (tag));
 
-/** So many samples in the precision of the sums. */
-template <typename Sample>
-auto loadSamples (const float* from)
+void addVector (const float* from, const double* gains, double amplitude, double* to)
 {
-    const hn::ScalableTag<Sample> tag;
-
-    if constexpr (std::is_same_v<Sample, float>)
-        return hn::LoadU (tag, from);
-    else
-        return hn::PromoteTo (tag, hn::LoadU (hn::Rebind<float, hn::ScalableTag<Sample>>(), from));
-}
-
-template <typename Sample>
-void addVector (const float* from, const Sample* gains, Sample amplitude, Sample* to)
-{
-    const hn::ScalableTag<Sample> tag;
     auto gain = hn::Set (tag, amplitude);
 
     if (gains != nullptr)
         gain = hn::Mul (gain, hn::LoadU (tag, gains));
 
-    hn::StoreU (hn::MulAdd (gain, loadSamples<Sample> (from), hn::LoadU (tag, to)), tag, to);
+    const auto samples = hn::PromoteTo (tag, hn::LoadU (floats, from));
+    hn::StoreU (hn::MulAdd (gain, samples, hn::LoadU (tag, to)), tag, to);
 }
 
 /** What is left over goes through a whole vector too: a sum that is rounded once and one that is rounded twice differ.
     @param gains  none: all 1 */
-template <typename Sample>
-HWY_INLINE void addSamples (const float* from, const Sample* gains, Sample amplitude, Sample* to, int count)
+HWY_INLINE void addSamples (const float* from, const double* gains, double amplitude, double* to, int count)
 {
     const auto isFaded = gains != nullptr;
     int n = 0;
 
-    for (; n + sampleLanes<Sample> <= count; n += sampleLanes<Sample>)
+    for (; n + lanes <= count; n += lanes)
         addVector (from + n, isFaded ? gains + n : nullptr, amplitude, to + n);
 
     if (n == count)
         return;
 
-    float last[sampleLanes<Sample>] {};
-    Sample lastGains[sampleLanes<Sample>] {}, sums[sampleLanes<Sample>] {};
+    float last[lanes] {};
+    double lastGains[lanes] {}, sums[lanes] {};
     std::copy (from + n, from + count, last);
     std::copy (to + n, to + count, sums);
 
@@ -69,27 +55,15 @@ HWY_INLINE void addSamples (const float* from, const Sample* gains, Sample ampli
     std::copy_n (sums, count - n, to + n);
 }
 
-template <typename Sample>
-void addScaled (const float* from, Sample amplitude, Sample* to, int count)
+void addScaled (const float* from, double amplitude, double* to, int count)
 {
-    addSamples<Sample> (from, nullptr, amplitude, to, count);
-}
-
-template <typename Sample>
-void addFaded (const float* from, const Sample* gains, Sample amplitude, Sample* to, int count)
-{
-    addSamples<Sample> (from, gains, amplitude, to, count);
+    addSamples (from, nullptr, amplitude, to, count);
 }
 } // namespace
 
-SampleKernel<double> doubleSampleKernel()
+SampleKernel sampleKernelOfTarget()
 {
-    return { &addScaled<double>, &addFaded<double> };
-}
-
-SampleKernel<float> floatSampleKernel()
-{
-    return { &addScaled<float>, &addFaded<float> };
+    return { &addScaled, &addSamples };
 }
 } // namespace antinode::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -99,20 +73,12 @@ namespace antinode
 {
 namespace
 {
-HWY_EXPORT (doubleSampleKernel);
-HWY_EXPORT (floatSampleKernel);
+HWY_EXPORT (sampleKernelOfTarget);
 } // namespace
 
-template <>
-SampleKernel<double> sampleKernel<double>()
+SampleKernel sampleKernel()
 {
-    return HWY_DYNAMIC_DISPATCH (doubleSampleKernel)();
-}
-
-template <>
-SampleKernel<float> sampleKernel<float>()
-{
-    return HWY_DYNAMIC_DISPATCH (floatSampleKernel)();
+    return HWY_DYNAMIC_DISPATCH (sampleKernelOfTarget)();
 }
 } // namespace antinode
 #endif

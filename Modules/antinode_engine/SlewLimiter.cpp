@@ -18,21 +18,17 @@ SlewLimiter::SlewLimiter (const Eigen::VectorXd& limitsToKeep, const Eigen::Vect
 {
 }
 
-template <typename Sample>
-void SlewLimiter::process (const Sample* const* inputs, Sample* const* outputs, int count)
+void SlewLimiter::process (const double* const* inputs, double* const* outputs, int count)
 {
     for (Eigen::Index i = 0; i < limits.size(); ++i)
         for (int n = 0; n < count; ++n)
         {
-            const auto wanted = static_cast<double> (inputs[i][n]);
+            const auto wanted = inputs[i][n];
 
             if (std::isfinite (wanted))
                 last[i] += std::clamp (std::clamp (wanted, -limits[i], limits[i]) - last[i], -steps[i], steps[i]);
 
-            outputs[i][n] = std::isfinite (wanted) ? static_cast<Sample> (last[i]) : inputs[i][n];
+            outputs[i][n] = std::isfinite (wanted) ? last[i] : wanted;
         }
 }
-
-template void SlewLimiter::process (const float* const*, float* const*, int);
-template void SlewLimiter::process (const double* const*, double* const*, int);
 } // namespace antinode

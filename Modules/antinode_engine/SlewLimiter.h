@@ -18,8 +18,7 @@ public:
     /** What is not finite stays as it is, for the limiter to find. Inputs and outputs may be the same.
         @param inputs, outputs  N_b pointers to count samples each, V
         [audio thread] allocates nothing, locks nothing */
-    template <typename Sample>
-    void process (const Sample* const* inputs, Sample* const* outputs, int count);
+    void process (const double* const* inputs, double* const* outputs, int count);
 
     /** From 0 V on. [audio thread] */
     void reset() { last.setZero(); }

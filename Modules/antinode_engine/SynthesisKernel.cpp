@@ -22,17 +22,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr int maximumCeramics = HWY_TARGET <= HWY_AVX3 ? 8 : 4;
 constexpr int vectors = 2;
 
-template <typename Sample>
-constexpr int lanes = static_cast<int> (hn::MaxLanes (hn::ScalableTag<Sample>()));
-
-template <typename Sample>
-constexpr int blockSamples = vectors* lanes<Sample>;
-
-template <typename Sample>
-constexpr int tilesOfBlock = std::max (1, blockSamples<Sample> / synthesisTile);
-
-template <typename Sample>
-using VectorOf = hn::VFromD<hn::ScalableTag<Sample>>;
+constexpr hn::ScalableTag<double> tag;
+using Vector = hn::VFromD<hn::ScalableTag<double>>;
+constexpr int lanes = static_cast<int> (hn::MaxLanes (tag));
+constexpr int blockSamples = vectors * lanes;
+static_assert (synthesisTile % blockSamples == 0);
 
 enum class Source
 {
@@ -41,76 +35,59 @@ enum class Source
 };
 
 /** The values of an oscillation in the block that begins at a sample of the strip. */
-template <typename Sample>
-HWY_INLINE void evaluateBlock (const Sample* phasors, const Sample* fine, int sample, VectorOf<Sample>* values)
+HWY_INLINE void evaluateBlock (const double* phasors, const double* fine, int sample, Vector* values)
 {
-    const hn::ScalableTag<Sample> tag;
-    VectorOf<Sample> real[tilesOfBlock<Sample>], imaginary[tilesOfBlock<Sample>];
     const auto* phasor = phasors + sample / synthesisTile;
+    const auto real = hn::Set (tag, phasor[0]), imaginary = hn::Set (tag, phasor[synthesisStrip]);
     fine += sample % synthesisTile;
 
 #pragma GCC unroll 16
-    for (int t = 0; t < tilesOfBlock<Sample>; ++t)
-    {
-        real[t] = hn::Set (tag, phasor[t]);
-        imaginary[t] = hn::Set (tag, phasor[synthesisStrip + t]);
-    }
-
-#pragma GCC unroll 16
     for (int v = 0; v < vectors; ++v)
-    {
-        const auto tile = v * lanes<Sample> / synthesisTile, within = v * lanes<Sample> % synthesisTile;
-        values[v] = hn::NegMulAdd (imaginary[tile], hn::Load (tag, fine + synthesisTile + within),
-                                   hn::Mul (real[tile], hn::Load (tag, fine + within)));
-    }
+        values[v] = hn::NegMulAdd (imaginary, hn::Load (tag, fine + synthesisTile + v * lanes),
+                                   hn::Mul (real, hn::Load (tag, fine + v * lanes)));
 }
 
 /** Computes the values of a block and keeps them for more ceramics, or takes what was kept. */
-template <Source source, typename Sample>
-HWY_INLINE void findValues (const Sample* phasors, const Sample* record, int sample, Sample* kept,
-                            VectorOf<Sample>* values)
+template <Source source>
+HWY_INLINE void findValues (const double* phasors, const double* record, int sample, double* kept, Vector* values)
 {
-    const hn::ScalableTag<Sample> tag;
-
     if constexpr (source == Source::phasors)
         evaluateBlock (phasors, record, sample, values);
 
 #pragma GCC unroll 16
     for (int v = 0; v < vectors; ++v)
         if constexpr (source == Source::phasors)
-            hn::Store (values[v], tag, kept + v * lanes<Sample>);
+            hn::Store (values[v], tag, kept + v * lanes);
         else
-            values[v] = hn::Load (tag, kept + v * lanes<Sample>);
+            values[v] = hn::Load (tag, kept + v * lanes);
 }
 
 /** The same pointer, of which the compiler knows nothing. Otherwise g++ keeps an offset for each ceramic in a register
    of its own, and saves and restores them with each block: 3 points of the limit. */
-template <typename Sample>
-HWY_INLINE const Sample* opaque (const Sample* pointer)
+HWY_INLINE const double* opaque (const double* pointer)
 {
     asm("" : "+r"(pointer));
     return pointer;
 }
 
 /** Adds a block, whose sums stay in registers. Its first sample lies at channels[i][offset]. */
-template <int ceramics, Source source, typename Sample>
-HWY_NOINLINE void addBlock (SynthesisChunk<Sample>& chunk, int sample, int firstCeramic, Sample* const* channels,
+template <int ceramics, Source source>
+HWY_NOINLINE void addBlock (SynthesisChunk& chunk, int sample, int firstCeramic, double* const* channels,
                             std::ptrdiff_t offset)
 {
-    const hn::ScalableTag<Sample> tag;
-    VectorOf<Sample> sums[ceramics][vectors], values[vectors];
+    Vector sums[ceramics][vectors], values[vectors];
 
 #pragma GCC unroll 16
     for (int i = 0; i < ceramics; ++i)
 #pragma GCC unroll 16
         for (int v = 0; v < vectors; ++v)
-            sums[i][v] = hn::LoadU (tag, channels[i] + offset + v * lanes<Sample>);
+            sums[i][v] = hn::LoadU (tag, channels[i] + offset + v * lanes);
 
     const auto* phasors = chunk.phasors;
-    auto* kept = chunk.values + sample % chunk.span;
-    const Sample *const *record = chunk.records, *const *const end = record + chunk.count;
+    auto* kept = chunk.values + sample % synthesisTile;
+    const double *const *record = chunk.records, *const *const end = record + chunk.count;
 
-    for (; record < end; ++record, phasors += 2 * synthesisStrip, kept += chunk.span)
+    for (; record < end; ++record, phasors += 2 * synthesisStrip, kept += synthesisTile)
     {
         findValues<source> (phasors, *record, sample, kept, values);
         const auto* mixing = opaque (*record + firstCeramic);
@@ -130,29 +107,26 @@ HWY_NOINLINE void addBlock (SynthesisChunk<Sample>& chunk, int sample, int first
     for (int i = 0; i < ceramics; ++i)
 #pragma GCC unroll 16
         for (int v = 0; v < vectors; ++v)
-            hn::StoreU (sums[i][v], tag, channels[i] + offset + v * lanes<Sample>);
+            hn::StoreU (sums[i][v], tag, channels[i] + offset + v * lanes);
 }
 
-template <typename Sample>
-using AddBlock = void (*) (SynthesisChunk<Sample>&, int sample, int firstCeramic, Sample* const* channels,
+using AddBlock = void (*) (SynthesisChunk&, int sample, int firstCeramic, double* const* channels,
                            std::ptrdiff_t offset);
 
 /** The forms of addBlock for 1, 2, ... ceramics. */
-template <Source source, typename Sample, int... counts>
-constexpr std::array<AddBlock<Sample>, sizeof...(counts)> makeBlocks (std::integer_sequence<int, counts...>)
+template <Source source, int... counts>
+constexpr std::array<AddBlock, sizeof...(counts)> makeBlocks (std::integer_sequence<int, counts...>)
 {
-    return { &addBlock<counts + 1, source, Sample>... };
+    return { &addBlock<counts + 1, source>... };
 }
 
 /** Adds the part begin .. end - 1 of a block to copies, since the neighbouring samples belong to others. */
-template <typename Sample>
-HWY_NOINLINE void addPart (AddBlock<Sample> add, SynthesisChunk<Sample>& chunk, const SynthesisTarget<Sample>& target,
-                           int sample, int i)
+HWY_NOINLINE void addPart (AddBlock add, SynthesisChunk& chunk, const SynthesisTarget& target, int sample, int i)
 {
     const auto ceramics = std::min (maximumCeramics, target.ceramics - i);
-    const auto begin = std::max (sample, target.begin), end = std::min (sample + blockSamples<Sample>, target.end);
-    Sample copies[maximumCeramics][blockSamples<Sample>] = {};
-    Sample* pointers[maximumCeramics] = {};
+    const auto begin = std::max (sample, target.begin), end = std::min (sample + blockSamples, target.end);
+    double copies[maximumCeramics][blockSamples] = {};
+    double* pointers[maximumCeramics] = {};
 
     for (int k = 0; k < ceramics; ++k)
     {
@@ -167,24 +141,23 @@ HWY_NOINLINE void addPart (AddBlock<Sample> add, SynthesisChunk<Sample>& chunk, 
 }
 
 /** Adds a block to the ceramics from i on, as many as go at once. */
-template <Source source, typename Sample>
-HWY_INLINE void addGroup (SynthesisChunk<Sample>& chunk, const SynthesisTarget<Sample>& target, int sample, int i)
+template <Source source>
+HWY_INLINE void addGroup (SynthesisChunk& chunk, const SynthesisTarget& target, int sample, int i)
 {
-    static constexpr auto blocks = makeBlocks<source, Sample> (std::make_integer_sequence<int, maximumCeramics>());
+    static constexpr auto blocks = makeBlocks<source> (std::make_integer_sequence<int, maximumCeramics>());
     const auto add = blocks[static_cast<std::size_t> (std::min (maximumCeramics, target.ceramics - i) - 1)];
 
-    if (sample >= target.begin && sample + blockSamples<Sample> <= target.end)
+    if (sample >= target.begin && sample + blockSamples <= target.end)
         add (chunk, sample, target.firstCeramic + i, target.channels + i, target.offset + sample);
     else
         addPart (add, chunk, target, sample, i);
 }
 
 /** Adds a strip block by block. Each value is computed once. */
-template <Source source, typename Sample>
-void addBlocks (SynthesisChunk<Sample>& chunk, const SynthesisTarget<Sample>& target)
+template <Source source>
+void addBlocks (SynthesisChunk& chunk, const SynthesisTarget& target)
 {
-    for (auto sample = target.begin - target.begin % blockSamples<Sample>; sample < target.end;
-         sample += blockSamples<Sample>)
+    for (auto sample = target.begin - target.begin % blockSamples; sample < target.end; sample += blockSamples)
     {
         addGroup<source> (chunk, target, sample, 0);
 
@@ -193,27 +166,21 @@ void addBlocks (SynthesisChunk<Sample>& chunk, const SynthesisTarget<Sample>& ta
     }
 }
 
-template <typename Sample>
-void evaluate (SynthesisChunk<Sample>& chunk, int tile)
+void evaluate (SynthesisChunk& chunk, int tile)
 {
-    VectorOf<Sample> values[vectors];
-    const auto first = tile * synthesisTile - tile * synthesisTile % blockSamples<Sample>;
+    Vector values[vectors];
 
     for (int c = 0; c < chunk.count; ++c)
-        for (auto sample = first; sample < (tile + 1) * synthesisTile; sample += blockSamples<Sample>)
-            findValues<Source::phasors> (chunk.phasors + c * 2 * synthesisStrip, chunk.records[c], sample,
-                                         chunk.values + c * chunk.span + sample % chunk.span, values);
+        for (int within = 0; within < synthesisTile; within += blockSamples)
+            findValues<Source::phasors> (chunk.phasors + c * 2 * synthesisStrip, chunk.records[c],
+                                         tile * synthesisTile + within, chunk.values + c * synthesisTile + within,
+                                         values);
 }
 } // namespace
 
-SynthesisKernel<double> doubleSynthesisKernel()
+SynthesisKernel synthesisKernelOfTarget()
 {
-    return { &addBlocks<Source::phasors, double>, &evaluate<double>, &addBlocks<Source::values, double> };
-}
-
-SynthesisKernel<float> floatSynthesisKernel()
-{
-    return { &addBlocks<Source::phasors, float>, &evaluate<float>, &addBlocks<Source::values, float> };
+    return { &addBlocks<Source::phasors>, &evaluate, &addBlocks<Source::values> };
 }
 } // namespace antinode::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -223,20 +190,12 @@ namespace antinode
 {
 namespace
 {
-HWY_EXPORT (doubleSynthesisKernel);
-HWY_EXPORT (floatSynthesisKernel);
+HWY_EXPORT (synthesisKernelOfTarget);
 } // namespace
 
-template <>
-SynthesisKernel<double> synthesisKernel<double>()
+SynthesisKernel synthesisKernel()
 {
-    return HWY_DYNAMIC_DISPATCH (doubleSynthesisKernel)();
-}
-
-template <>
-SynthesisKernel<float> synthesisKernel<float>()
-{
-    return HWY_DYNAMIC_DISPATCH (floatSynthesisKernel)();
+    return HWY_DYNAMIC_DISPATCH (synthesisKernelOfTarget)();
 }
 } // namespace antinode
 #endif

@@ -16,32 +16,27 @@ struct SoundingOscillation
     const double* turns;                ///< Strip by strip: times this the anchor is the phasor at each tile's start.
 };
 
-/** The sounding oscillations of a chunk at a run of tiles, and their values in a span of samples. */
-template <typename Sample>
+/** The sounding oscillations of a chunk at a run of tiles, and their values in a tile. */
 struct SynthesisChunk
 {
-    /** Samples that are computed at a time, at most: two of the widest vectors. A strip is so many spans. */
-    static constexpr int span = 128 / static_cast<int> (sizeof (Sample));
-
     int count = 0;
     SoundingOscillation sounding[synthesisChunk];
 
     /** One an oscillation, on a cache line: e^{p j T}, j = 0..15, 16 real parts, then 16 imaginary ones; then what the
        ceramics get of it, V. All in one place, as all is read together. */
-    const Sample* records[synthesisChunk];
+    const double* records[synthesisChunk];
 
     alignas (
-        64) Sample phasors[synthesisChunk * 2 * synthesisStrip]; ///< Real, then imaginary parts at a strip's tiles.
-    alignas (64) Sample values[synthesisChunk * span];
+        64) double phasors[synthesisChunk * 2 * synthesisStrip]; ///< Real, then imaginary parts at a strip's tiles.
+    alignas (64) double values[synthesisChunk * synthesisTile];
 };
 
 /** Samples of a strip, and where they are added. */
-template <typename Sample>
 struct SynthesisTarget
 {
     int begin, end;             ///< The samples begin .. end - 1 of the strip.
     int firstCeramic, ceramics; ///< The first one is that of channels[0].
-    Sample* const* channels;    ///< channels[i][offset + j] gets sample j of the strip.
+    double* const* channels;    ///< channels[i][offset + j] gets sample j of the strip.
     std::ptrdiff_t offset;
 };
 
@@ -49,20 +44,18 @@ struct SynthesisTarget
 
     Every sample is computed by the same operations in the same order, in whichever lane and for whichever range of
    samples. */
-template <typename Sample>
 struct SynthesisKernel
 {
     /** Adds sum of mixing * Re[phasor * fine], oscillation by oscillation. */
-    void (*add) (SynthesisChunk<Sample>&, const SynthesisTarget<Sample>&);
+    void (*add) (SynthesisChunk&, const SynthesisTarget&);
 
     /** values = Re[phasor * fine] in a tile of the strip, where they can be changed before they are added. */
-    void (*evaluate) (SynthesisChunk<Sample>&, int tile);
+    void (*evaluate) (SynthesisChunk&, int tile);
 
     /** As add does, with the values of evaluate, in its tile. */
-    void (*addValues) (SynthesisChunk<Sample>&, const SynthesisTarget<Sample>&);
+    void (*addValues) (SynthesisChunk&, const SynthesisTarget&);
 };
 
 /** The kernel for the processor that runs; hwy::SetSupportedTargetsForTest chooses another one. [worker] */
-template <typename Sample>
-SynthesisKernel<Sample> synthesisKernel();
+SynthesisKernel synthesisKernel();
 } // namespace antinode

@@ -3,7 +3,6 @@
 #include <antinode_base/InputError.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -18,8 +17,7 @@ constexpr int limiterPiece =
 VoltageLimiter::VoltageLimiter (Eigen::VectorXd voltageLimits)
     : limits (std::move (voltageLimits)),
       further (Eigen::VectorXd::Constant (limits.size(), std::numeric_limits<double>::infinity())),
-      clamped (static_cast<std::size_t> (limits.size()), 0), doubles (limiterKernel<double>()),
-      floats (limiterKernel<float>())
+      clamped (static_cast<std::size_t> (limits.size()), 0)
 {
     if (! limits.allFinite() || (limits.array() < 0).any())
         throw InputError ("voltage limit", "must be finite and at least 0 V for every ceramic");
@@ -31,35 +29,15 @@ void VoltageLimiter::reset()
     muted = false;
 }
 
-template <>
-const LimiterKernel<double>& VoltageLimiter::kernel<double>() const
-{
-    return doubles;
-}
-
-template <>
-const LimiterKernel<float>& VoltageLimiter::kernel<float>() const
-{
-    return floats;
-}
-
 /** Clamps and counts the valid samples of a ceramic and silences the others. */
-template <typename Sample>
-void VoltageLimiter::limit (std::size_t ceramic, Sample* samples, int valid, int count)
+void VoltageLimiter::limit (std::size_t ceramic, double* samples, int valid, int count)
 {
     const auto index = static_cast<Eigen::Index> (ceramic);
-    const auto exact = std::min (further[index], limits[index]);
-    auto maximum = static_cast<Sample> (exact);
-
-    if (! (static_cast<double> (maximum) <= exact)) // rounding must not raise a limit
-        maximum = std::nextafter (maximum, Sample (0));
-
-    clamped[ceramic] += kernel<Sample>().clamp (samples, valid, maximum);
-    std::fill (samples + valid, samples + count, Sample (0));
+    clamped[ceramic] += kernel.clamp (samples, valid, std::min (further[index], limits[index]));
+    std::fill (samples + valid, samples + count, 0.0);
 }
 
-template <typename Sample>
-void VoltageLimiter::process (Sample* const* channels, int count)
+void VoltageLimiter::process (double* const* channels, int count)
 {
     for (int done = 0; done < count; done += limiterPiece)
     {
@@ -67,7 +45,7 @@ void VoltageLimiter::process (Sample* const* channels, int count)
         auto valid = muted ? 0 : samples;
 
         for (std::size_t i = 0; i < clamped.size(); ++i)
-            valid = kernel<Sample>().finiteSamples (channels[i] + done, valid);
+            valid = kernel.finiteSamples (channels[i] + done, valid);
 
         for (std::size_t i = 0; i < clamped.size(); ++i)
             limit (i, channels[i] + done, valid, samples);
@@ -75,9 +53,6 @@ void VoltageLimiter::process (Sample* const* channels, int count)
         muted = muted || valid < samples;
     }
 }
-
-template void VoltageLimiter::process (double* const*, int);
-template void VoltageLimiter::process (float* const*, int);
 
 void VoltageLimiter::process (Eigen::Ref<Eigen::MatrixXd> voltages)
 {
@@ -92,7 +67,7 @@ void VoltageLimiter::process (Eigen::Ref<Eigen::MatrixXd> voltages)
         for (Eigen::Index i = 0; i < part.rows(); ++i)
         {
             row.leftCols (samples) = part.row (i);
-            valid = doubles.finiteSamples (row.data(), valid);
+            valid = kernel.finiteSamples (row.data(), valid);
         }
 
         for (Eigen::Index i = 0; i < part.rows(); ++i)

@@ -31,10 +31,9 @@ public:
         further[static_cast<Eigen::Index> (ceramic)] = volts > 0 ? volts : 0;
     }
 
-    /** Limits in place. @param channels  N_b pointers to count samples each, V; in float, limits are rounded down
+    /** Limits in place. @param channels  N_b pointers to count samples each, V
         [audio thread] allocates nothing, locks nothing, any count >= 0 */
-    template <typename Sample>
-    void process (Sample* const* channels, int count);
+    void process (double* const* channels, int count);
 
     /** Limits in place. @param voltages N_b x n, V. [audio thread] allocates nothing, locks nothing */
     void process (Eigen::Ref<Eigen::MatrixXd> voltages);
@@ -52,15 +51,11 @@ public:
     void reset();
 
 private:
-    template <typename Sample>
-    const LimiterKernel<Sample>& kernel() const;
-    template <typename Sample>
-    void limit (std::size_t ceramic, Sample* samples, int valid, int count);
+    void limit (std::size_t ceramic, double* samples, int valid, int count);
 
     Eigen::VectorXd limits, further; ///< V
     std::vector<std::int64_t> clamped;
-    LimiterKernel<double> doubles;
-    LimiterKernel<float> floats;
+    LimiterKernel kernel = limiterKernel();
     bool muted = false;
 };
 } // namespace antinode

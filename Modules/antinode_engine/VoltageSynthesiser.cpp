@@ -58,18 +58,6 @@ void requireUsable (const VoltageProgram& program, double rate)
 }
 } // namespace
 
-template <>
-const VoltageSynthesiser::Tables<double>& VoltageSynthesiser::tables<double>() const
-{
-    return doubles;
-}
-
-template <>
-const VoltageSynthesiser::Tables<float>& VoltageSynthesiser::tables<float>() const
-{
-    return floats;
-}
-
 VoltageSynthesiser::VoltageSynthesiser (const VoltageProgram& program, Playback playback) : rate (playback.sampleRate)
 {
     requireUsable (program, rate);
@@ -79,8 +67,7 @@ VoltageSynthesiser::VoltageSynthesiser (const VoltageProgram& program, Playback 
     for (const auto& oscillation : program.oscillations)
         voices.push_back (makeVoice (oscillation, program.focusTime, playback.reconstruction));
 
-    doubles = makeTables<double> (program);
-    floats = makeTables<float> (program);
+    tables = makeTables (program);
 }
 
 VoltageSynthesiser::Edge VoltageSynthesiser::edgeAt (double time, double focusTime, Reconstruction reconstruction) const
@@ -110,69 +97,56 @@ VoltageSynthesiser::Voice VoltageSynthesiser::makeVoice (const Oscillation& osci
              lastTile, firstStrip, TilePhasors (oscillation, first, rate, stripIndex (lastTile) - firstStrip + 1) };
 }
 
-template <typename Sample>
-VoltageSynthesiser::Tables<Sample> VoltageSynthesiser::makeTables (const VoltageProgram& program) const
+VoltageSynthesiser::Tables VoltageSynthesiser::makeTables (const VoltageProgram& program) const
 {
-    constexpr auto line = cacheLine / sizeof (Sample);
+    constexpr auto line = cacheLine / sizeof (double);
     const auto used = 2UL * synthesisTile + static_cast<std::size_t> (ceramics);
-    Tables<Sample> tables { phasorKernel<Sample>(), synthesisKernel<Sample>(), (used + line - 1) / line * line, {} };
-    tables.records.resize (tables.recordSize * program.oscillations.size());
+    Tables made { phasorKernel(), synthesisKernel(), (used + line - 1) / line * line, {} };
+    made.records.resize (made.recordSize * program.oscillations.size());
 
     for (std::size_t c = 0; c < program.oscillations.size(); ++c)
     {
-        auto* record = tables.records.data() + c * tables.recordSize;
+        auto* record = made.records.data() + c * made.recordSize;
 
         for (int j = 0; j < synthesisTile; ++j)
         {
             const auto fine = exponential (program.oscillations[c], static_cast<long double> (j) / rate);
-            record[j] = static_cast<Sample> (fine.real());
-            record[j + synthesisTile] = static_cast<Sample> (fine.imag());
+            record[j] = fine.real();
+            record[j + synthesisTile] = fine.imag();
         }
 
         for (Eigen::Index i = 0; i < ceramics; ++i)
-            record[2 * synthesisTile + i] = static_cast<Sample> (program.allocation (i, static_cast<Eigen::Index> (c)));
+            record[2 * synthesisTile + i] = program.allocation (i, static_cast<Eigen::Index> (c));
     }
 
-    return tables;
+    return made;
 }
 
-template <typename Sample>
-void VoltageSynthesiser::addBlock (const Block<Sample>& block) const
+void VoltageSynthesiser::addBlock (const Block& block) const
 {
     if (block.count <= 0)
         return;
 
     // Chunk by chunk, so that the tables of a chunk are read from the fastest cache in all tiles but the first.
     for (std::size_t voice = 0; voice < voices.size(); voice += synthesisChunk)
-        ChunkPlayer<Sample> (*this, block, voice).addAll();
+        ChunkPlayer (*this, block, voice).addAll();
 }
 
-template <typename Sample>
-void VoltageSynthesiser::add (std::int64_t first, int count, double amplitude, Sample* const* channels,
+void VoltageSynthesiser::add (std::int64_t first, int count, double amplitude, double* const* channels,
                               const std::complex<double>* factors) const
 {
-    addBlock<Sample> ({ first, count, amplitude, 0, ceramics, channels, factors });
+    addBlock ({ first, count, amplitude, 0, ceramics, channels, factors });
 }
 
-template void VoltageSynthesiser::add (std::int64_t, int, double, double* const*, const std::complex<double>*) const;
-template void VoltageSynthesiser::add (std::int64_t, int, double, float* const*, const std::complex<double>*) const;
-
-template <typename Sample>
-void VoltageSynthesiser::addForces (std::int64_t first, int count, double amplitude, Sample* const* forces,
+void VoltageSynthesiser::addForces (std::int64_t first, int count, double amplitude, double* const* forces,
                                     std::ptrdiff_t offset, const std::complex<double>* factors) const
 {
-    addBlock<Sample> ({ first, count, amplitude, 0, ceramics, forces, factors, true, offset });
+    addBlock ({ first, count, amplitude, 0, ceramics, forces, factors, true, offset });
 }
 
-template void VoltageSynthesiser::addForces (std::int64_t, int, double, double* const*, std::ptrdiff_t,
-                                             const std::complex<double>*) const;
-template void VoltageSynthesiser::addForces (std::int64_t, int, double, float* const*, std::ptrdiff_t,
-                                             const std::complex<double>*) const;
-
-/** Takes one span of some oscillations; those that are silent in it are left out. */
-template <typename Sample>
-void VoltageSynthesiser::gatherForces (const Sample* const* forces, std::size_t firstVoice, int at, int length,
-                                       SynthesisChunk<Sample>& chunk) const
+/** Takes at most a tile of some oscillations; those that are silent in it are left out. */
+void VoltageSynthesiser::gatherForces (const double* const* forces, std::size_t firstVoice, int at, int length,
+                                       SynthesisChunk& chunk) const
 {
     const auto end = std::min (firstVoice + synthesisChunk, voices.size());
     chunk.count = 0;
@@ -181,33 +155,29 @@ void VoltageSynthesiser::gatherForces (const Sample* const* forces, std::size_t 
     {
         const auto* const force = forces[c] + at;
 
-        if (std::all_of (force, force + length, [] (Sample value) { return value == 0; }))
+        if (std::all_of (force, force + length, [] (double value) { return value == 0; }))
             continue;
 
-        auto* const values = chunk.values + chunk.count * chunk.span;
-        std::fill (std::copy_n (force, length, values), values + chunk.span, Sample (0));
-        chunk.records[chunk.count++] = tables<Sample>().records.data() + c * tables<Sample>().recordSize;
+        auto* const values = chunk.values + chunk.count * synthesisTile;
+        std::fill (std::copy_n (force, length, values), values + synthesisTile, 0.0);
+        chunk.records[chunk.count++] = tables.records.data() + c * tables.recordSize;
     }
 }
 
-template <typename Sample>
-void VoltageSynthesiser::mix (const Sample* const* forces, int from, int to, Sample* const* channels) const
+void VoltageSynthesiser::mix (const double* const* forces, int from, int to, double* const* channels) const
 {
-    SynthesisChunk<Sample> chunk;
+    SynthesisChunk chunk;
 
     for (std::size_t voice = 0; voice < voices.size(); voice += synthesisChunk)
-        for (auto at = from; at < to; at += chunk.span)
+        for (auto at = from; at < to; at += synthesisTile)
         {
-            const auto length = std::min (chunk.span, to - at);
+            const auto length = std::min (synthesisTile, to - at);
             gatherForces (forces, voice, at, length, chunk);
 
             if (chunk.count > 0)
-                tables<Sample>().kernel.addValues (chunk, { 0, length, 0, ceramics, channels, at });
+                tables.kernel.addValues (chunk, { 0, length, 0, ceramics, channels, at });
         }
 }
-
-template void VoltageSynthesiser::mix (const double* const*, int, int, double* const*) const;
-template void VoltageSynthesiser::mix (const float* const*, int, int, float* const*) const;
 
 void VoltageSynthesiser::process (std::int64_t first, Eigen::Ref<Eigen::MatrixXd> voltages) const
 {
@@ -223,7 +193,7 @@ void VoltageSynthesiser::process (std::int64_t first, Eigen::Ref<Eigen::MatrixXd
         {
             const auto count = std::min<Eigen::Index> (stripSamples, voltages.cols() - n);
             planar = {};
-            addBlock<double> ({ first + n, count, 1.0, ceramic, rows, channels.data() });
+            addBlock ({ first + n, count, 1.0, ceramic, rows, channels.data() });
 
             for (int i = 0; i < rows; ++i)
                 voltages.row (ceramic + i).segment (n, count) =

@@ -25,8 +25,8 @@ namespace antinode
 
     An oscillation Re[X e^{p tau}] is a phasor factored in two: X e^{p tau} at the first sample of a tile of 16, from
    exact tables (TilePhasors), times e^{p j / rate} from another one. So its error does not grow with time: below 1e-12
-   of the envelope after 1 s at 192 kHz in double, 3e-7 in float (where long double is wider than double). Instruction
-   sets differ by as much. Docs/Theory.md, section 6.1; Docs/Decisions/0015-kernels.md. */
+   of the envelope after 1 s at 192 kHz (where long double is wider than double). Instruction sets differ by as much.
+   Docs/Theory.md, section 6.1; Docs/Decisions/0015-kernels.md. */
 class VoltageSynthesiser
 {
 public:
@@ -45,8 +45,7 @@ public:
         @param channels   N_b pointers to count samples each, V; of any alignment
         @param factors    one for every oscillation, which its phasor is multiplied with, or none
         [audio thread] allocates nothing, locks nothing, any count >= 0, any order of blocks; 20 KiB of stack */
-    template <typename Sample>
-    void add (std::int64_t first, int count, double amplitude, Sample* const* channels,
+    void add (std::int64_t first, int count, double amplitude, double* const* channels,
               const std::complex<double>* factors = nullptr) const;
 
     /** How many oscillations the program has. [any] */
@@ -57,8 +56,7 @@ public:
         @param forces  a pointer an oscillation; sample n of the block is added at forces[c][offset + n]
         @param first, count, amplitude, factors  as add's
         [audio thread] as add */
-    template <typename Sample>
-    void addForces (std::int64_t first, int count, double amplitude, Sample* const* forces, std::ptrdiff_t offset,
+    void addForces (std::int64_t first, int count, double amplitude, double* const* forces, std::ptrdiff_t offset,
                     const std::complex<double>* factors = nullptr) const;
 
     /** Shares oscillations out: adds allocation (i, c) times forces[c] to channels[i], in the samples from .. to - 1 of
@@ -66,8 +64,7 @@ public:
         @param forces    a pointer an oscillation
         @param channels  N_b pointers, V
         [audio thread] allocates nothing, locks nothing; 20 KiB of stack */
-    template <typename Sample>
-    void mix (const Sample* const* forces, int from, int to, Sample* const* channels) const;
+    void mix (const double* const* forces, int from, int to, double* const* channels) const;
 
     /** Voltages of the samples first .. first + n - 1.
         @param voltages  N_b x n, V
@@ -94,38 +91,28 @@ private:
         bool hasEdgeIn (std::int64_t tile) const { return tile == firstTile || tile == lastTile; }
     };
 
-    /** The input of the kernel, in its precision. */
-    template <typename Sample>
+    /** The input of the kernel. */
     struct Tables
     {
-        PhasorKernel<Sample> findPhasors;
-        SynthesisKernel<Sample> kernel;
+        PhasorKernel findPhasors;
+        SynthesisKernel kernel;
         std::size_t recordSize = 0;
-        AlignedVector<Sample> records; // oscillations x recordSize: as SynthesisChunk has them
+        AlignedVector<double> records; // oscillations x recordSize: as SynthesisChunk has them
     };
 
-    template <typename Sample>
     struct Block;
-    template <typename Sample>
     class ChunkPlayer;
 
     Edge edgeAt (double time, double focusTime, Reconstruction) const;
     Voice makeVoice (const Oscillation&, double focusTime, Reconstruction) const;
-    template <typename Sample>
-    Tables<Sample> makeTables (const VoltageProgram&) const;
-    template <typename Sample>
-    const Tables<Sample>& tables() const;
-    template <typename Sample>
-    void addBlock (const Block<Sample>&) const;
-    template <typename Sample>
-    void gatherForces (const Sample* const* forces, std::size_t firstVoice, int at, int length,
-                       SynthesisChunk<Sample>&) const;
+    Tables makeTables (const VoltageProgram&) const;
+    void addBlock (const Block&) const;
+    void gatherForces (const double* const* forces, std::size_t firstVoice, int at, int length, SynthesisChunk&) const;
 
     double rate = 0;
     std::int64_t focus = 0;
     int ceramics = 0;
     std::vector<Voice> voices;
-    Tables<double> doubles;
-    Tables<float> floats;
+    Tables tables;
 };
 } // namespace antinode

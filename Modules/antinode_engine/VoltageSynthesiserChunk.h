@@ -11,25 +11,23 @@
 namespace antinode
 {
 /** The requested samples of some of the ceramics. */
-template <typename Sample>
 struct VoltageSynthesiser::Block
 {
     std::int64_t first = 0, count = 0;
     double amplitude = 1;
     int firstCeramic = 0, ceramics = 0;
-    Sample* const* channels = nullptr;             // of these ceramics
+    double* const* channels = nullptr;             // of these ceramics
     const std::complex<double>* factors = nullptr; // one for every oscillation, or none
     bool areForces = false;   // whether there is a channel for every oscillation, to which it is added as it is
     std::ptrdiff_t shift = 0; // of the first sample in the channels
 };
 
 /** Plays a chunk of the oscillations through the tiles of a block. */
-template <typename Sample>
 class VoltageSynthesiser::ChunkPlayer
 {
 public:
-    ChunkPlayer (const VoltageSynthesiser& owner, const Block<Sample>& what, std::size_t from)
-        : synthesiser (owner), tables (owner.tables<Sample>()), block (what), firstVoice (from),
+    ChunkPlayer (const VoltageSynthesiser& owner, const Block& what, std::size_t from)
+        : synthesiser (owner), tables (owner.tables), block (what), firstVoice (from),
           lastVoice (std::min (from + synthesisChunk, owner.voices.size()))
     {
     }
@@ -42,10 +40,11 @@ public:
         {
             const auto runEnd = std::min (end, gather (tile));
 
-            for (auto next = tile; chunk.count > 0 && tile < runEnd; tile = next)
+            while (chunk.count > 0 && tile < runEnd)
             {
-                next = std::min (runEnd, (stripIndex (tile) + 1) * synthesisStrip);
+                const auto next = std::min (runEnd, (stripIndex (tile) + 1) * synthesisStrip);
                 addStrip (tile, next);
+                tile = next;
             }
 
             tile = runEnd;
@@ -136,8 +135,8 @@ private:
             anchorAt (strip);
 
         tables.findPhasors (chunk, static_cast<int> (strip - firstStrip));
-        const SynthesisTarget<Sample> target { static_cast<int> (begin), static_cast<int> (end), block.firstCeramic,
-                                               block.ceramics,           block.channels,         offset + block.shift };
+        const SynthesisTarget target { static_cast<int> (begin), static_cast<int> (end), block.firstCeramic,
+                                       block.ceramics,           block.channels,         offset + block.shift };
 
         if (block.areForces)
             addForces (tile, endTile, target);
@@ -148,20 +147,19 @@ private:
     }
 
     /** Adds a tile in which some oscillations start or end. */
-    void addEdges (std::int64_t tile, int tileInStrip, const SynthesisTarget<Sample>& target)
+    void addEdges (std::int64_t tile, int tileInStrip, const SynthesisTarget& target)
     {
         tables.kernel.evaluate (chunk, tileInStrip);
-        auto* values = chunk.values + tileInStrip * synthesisTile % chunk.span;
 
         for (int slot = 0; slot < chunk.count; ++slot)
             if (const auto& voice = synthesiser.voices[numbers[slot]]; voice.hasEdgeIn (tile))
-                weigh (voice, tile, values + slot * chunk.span);
+                weigh (voice, tile, chunk.values + slot * synthesisTile);
 
         tables.kernel.addValues (chunk, target);
     }
 
     /** Adds tiles of a strip to the channels of their oscillations. */
-    void addForces (std::int64_t tile, std::int64_t endTile, const SynthesisTarget<Sample>& target)
+    void addForces (std::int64_t tile, std::int64_t endTile, const SynthesisTarget& target)
     {
         for (; tile < endTile; ++tile)
         {
@@ -172,7 +170,7 @@ private:
 
             for (int slot = 0; slot < chunk.count; ++slot)
             {
-                auto* const values = chunk.values + slot * chunk.span + start % chunk.span;
+                auto* const values = chunk.values + slot * synthesisTile;
 
                 if (const auto& voice = synthesiser.voices[numbers[slot]]; voice.hasEdgeIn (tile))
                     weigh (voice, tile, values);
@@ -186,24 +184,24 @@ private:
     }
 
     /** Silences values before the start and after the end; on an edge they may count half. */
-    static void weigh (const Voice& voice, std::int64_t tile, Sample* values)
+    static void weigh (const Voice& voice, std::int64_t tile, double* values)
     {
         for (int j = 0; j < synthesisTile; ++j)
         {
             const auto n = tile * synthesisTile + j;
             const auto weight = voice.start.weightAt (n) - voice.end.weightAt (n);
-            values[j] = weight > 0 ? static_cast<Sample> (weight) * values[j] : Sample (0);
+            values[j] = weight > 0 ? weight * values[j] : 0.0;
         }
     }
 
     const VoltageSynthesiser& synthesiser;
-    const Tables<Sample>& tables;
-    const Block<Sample>& block;
+    const Tables& tables;
+    const Block& block;
     std::size_t firstVoice, lastVoice;
     std::array<std::size_t, synthesisChunk> numbers;  // of the voices that sound
     std::array<std::int64_t, synthesisChunk> anchors; // at which strips they need the next ones
     std::int64_t firstStrip = 0, nextAnchor = 0;      // of the run
     bool edges = false; // whether one of them starts or ends in the run, which is then one tile
-    SynthesisChunk<Sample> chunk;
+    SynthesisChunk chunk;
 };
 } // namespace antinode

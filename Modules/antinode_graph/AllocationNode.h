@@ -17,15 +17,11 @@ public:
     int inputs() const override { return forces.outputs(); }
     int outputs() const override { return ceramics; }
     void prepare (const NodeFormat&) override {}
-    void process (const NodeBlock<float>&) override;
-    void process (const NodeBlock<double>&) override;
+    void process (const NodeBlock&) override;
     void reset() override {}
 
 private:
-    template <typename Sample>
-    void mix (const NodeBlock<Sample>&) const;
-    template <typename Sample>
-    void addVoltages (const ForceStretch&, const NodeBlock<Sample>&) const;
+    void addVoltages (const ForceStretch&, const NodeBlock&) const;
 
     const ForceNode& forces;
     int ceramics;

@@ -29,8 +29,7 @@ void ChannelGainNode::prepare (const NodeFormat& format)
     }
 }
 
-template <typename Sample>
-void ChannelGainNode::apply (const NodeBlock<Sample>& block)
+void ChannelGainNode::process (const NodeBlock& block)
 {
     for (int i = 0; i < channels; ++i)
     {
@@ -45,15 +44,5 @@ void ChannelGainNode::apply (const NodeBlock<Sample>& block)
 
         ramps[channel].process (block.outputs + i, 1, block.count);
     }
-}
-
-void ChannelGainNode::process (const NodeBlock<float>& block)
-{
-    apply (block);
-}
-
-void ChannelGainNode::process (const NodeBlock<double>& block)
-{
-    apply (block);
 }
 } // namespace antinode

@@ -22,8 +22,7 @@ public:
     int inputs() const override { return channels; }
     int outputs() const override { return channels; }
     void prepare (const NodeFormat&) override;
-    void process (const NodeBlock<float>&) override;
-    void process (const NodeBlock<double>&) override;
+    void process (const NodeBlock&) override;
     void reset() override {}
 
     /** @param gain  0 to 1; others count as 0. [any] */
@@ -33,8 +32,6 @@ public:
     void setMutes (std::uint64_t mask) { wantedMutes = mask; }
 
 private:
-    template <typename Sample>
-    void apply (const NodeBlock<Sample>&);
     double targetGain (int channel) const;
 
     static constexpr double rampTime = 0.005; // s

@@ -85,15 +85,14 @@ float FilterNode::withoutOffset (std::size_t input, double sample)
     return static_cast<float> (largestLevel * rest);
 }
 
-template <typename Sample>
-void FilterNode::takeInputs (const NodeBlock<Sample>& block)
+void FilterNode::takeInputs (const NodeBlock& block)
 {
     for (std::size_t j = 0; j < gains.size(); ++j)
     {
         auto* const channel = scaled.channel (j);
 
         for (int n = 0; n < block.count; ++n)
-            channel[n] = withoutOffset (j, usableSample (static_cast<double> (block.inputs[j][n])));
+            channel[n] = withoutOffset (j, usableSample (block.inputs[j][n]));
 
         if (std::exchange (levels[j], wantedLevels[j]) != wantedLevels[j])
             gains[j].setTarget (wantedLevels[j], rampSamples);
@@ -102,8 +101,7 @@ void FilterNode::takeInputs (const NodeBlock<Sample>& block)
     }
 }
 
-template <typename Sample>
-void FilterNode::play (const NodeBlock<Sample>& block)
+void FilterNode::process (const NodeBlock& block)
 {
     takeInputs (block);
 
@@ -117,21 +115,11 @@ void FilterNode::play (const NodeBlock<Sample>& block)
         player.process (sample, voltages);
 
         for (int i = 0; i < ceramics; ++i)
-            block.outputs[i][n] = static_cast<Sample> (voltages[i]);
+            block.outputs[i][n] = voltages[i];
 
         if (player.hasDecimated())
             for (std::size_t j = 0; j < gains.size(); ++j)
                 asked.take (j, player.decimated (j));
     }
-}
-
-void FilterNode::process (const NodeBlock<float>& block)
-{
-    play (block);
-}
-
-void FilterNode::process (const NodeBlock<double>& block)
-{
-    play (block);
 }
 } // namespace antinode

@@ -46,8 +46,7 @@ public:
     int inputs() const override { return static_cast<int> (gains.size()); }
     int outputs() const override { return ceramics; }
     void prepare (const NodeFormat&) override;
-    void process (const NodeBlock<float>&) override;
-    void process (const NodeBlock<double>&) override;
+    void process (const NodeBlock&) override;
     void reset() override;
 
     /** Where banks of these sizes come from. */
@@ -61,10 +60,7 @@ public:
     InputMotion& motion() { return asked; }
 
 private:
-    template <typename Sample>
-    void play (const NodeBlock<Sample>&);
-    template <typename Sample>
-    void takeInputs (const NodeBlock<Sample>&);
+    void takeInputs (const NodeBlock&);
     float withoutOffset (std::size_t input, double sample);
     void exchangeBanks();
 

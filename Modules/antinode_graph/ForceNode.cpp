@@ -16,12 +16,7 @@ void ForceNode::prepare (const NodeFormat& format)
     sampleRate = format.sampleRate;
 }
 
-void ForceNode::process (const NodeBlock<float>& block)
-{
-    player->process (block.outputs, block.count, block.events);
-}
-
-void ForceNode::process (const NodeBlock<double>& block)
+void ForceNode::process (const NodeBlock& block)
 {
     player->process (block.outputs, block.count, block.events);
 }

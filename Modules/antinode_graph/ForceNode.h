@@ -24,8 +24,7 @@ public:
     std::string name() const override { return "Forces"; }
     int outputs() const override { return channels; }
     void prepare (const NodeFormat&) override;
-    void process (const NodeBlock<float>&) override;
-    void process (const NodeBlock<double>&) override;
+    void process (const NodeBlock&) override;
     void reset() override;
     FocusVoices& voices() override { return *player; }
     const FocusVoices& voices() const override { return *player; }

@@ -6,11 +6,11 @@ namespace antinode
 {
 namespace
 {
-template <typename From, typename To>
-void copyScaled (const From* from, To* to, int count, double gain)
+template <typename Sample>
+void copyScaled (const Sample* from, double* to, int count, double gain)
 {
     for (int n = 0; n < count; ++n)
-        to[n] = static_cast<To> (static_cast<double> (from[n]) * gain);
+        to[n] = static_cast<double> (from[n]) * gain;
 }
 } // namespace
 
@@ -30,8 +30,7 @@ void InputNode::give (std::span<const double* const> from, double scale)
     position = 0;
 }
 
-template <typename Sample>
-void InputNode::take (const NodeBlock<Sample>& block)
+void InputNode::process (const NodeBlock& block)
 {
     for (int i = 0; i < channels; ++i)
     {
@@ -42,19 +41,9 @@ void InputNode::take (const NodeBlock<Sample>& block)
         else if (channel < doubles.size())
             copyScaled (doubles[channel] + position, block.outputs[i], block.count, gain);
         else
-            std::fill_n (block.outputs[i], block.count, Sample (0));
+            std::fill_n (block.outputs[i], block.count, 0.0);
     }
 
     position += block.count;
-}
-
-void InputNode::process (const NodeBlock<float>& block)
-{
-    take (block);
-}
-
-void InputNode::process (const NodeBlock<double>& block)
-{
-    take (block);
 }
 } // namespace antinode

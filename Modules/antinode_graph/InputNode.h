@@ -18,8 +18,7 @@ public:
     int inputs() const override { return 0; }
     int outputs() const override { return channels; }
     void prepare (const NodeFormat&) override {}
-    void process (const NodeBlock<float>&) override;
-    void process (const NodeBlock<double>&) override;
+    void process (const NodeBlock&) override;
     void reset() override {}
 
     /** The next block. @param from  as many channels as there are: those that are missing are silent. They must
@@ -29,9 +28,6 @@ public:
     void give (std::span<const double* const> from, double scale);
 
 private:
-    template <typename Sample>
-    void take (const NodeBlock<Sample>&);
-
     int channels;
     std::span<const float* const> floats;
     std::span<const double* const> doubles;

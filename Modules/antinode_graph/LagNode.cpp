@@ -16,8 +16,7 @@ void LagNode::prepare (const NodeFormat& format)
     recent = Eigen::MatrixXd::Zero (filters.reach() + format.longestBlock, model->actuators());
 }
 
-template <typename Sample>
-void LagNode::filter (const NodeBlock<Sample>& block)
+void LagNode::process (const NodeBlock& block)
 {
     const auto taps = filters.taps.rows(), before = filters.reach();
 
@@ -28,19 +27,9 @@ void LagNode::filter (const NodeBlock<Sample>& block)
         const auto oldest = before + 1 - taps - filters.starts[static_cast<std::size_t> (i)];
 
         for (int n = 0; n < block.count; ++n)
-            block.outputs[i][n] = static_cast<Sample> (filters.taps.col (i).dot (samples.segment (oldest + n, taps)));
+            block.outputs[i][n] = filters.taps.col (i).dot (samples.segment (oldest + n, taps));
 
         std::copy (samples.data() + block.count, samples.data() + block.count + before, samples.data());
     }
-}
-
-void LagNode::process (const NodeBlock<float>& block)
-{
-    filter (block);
-}
-
-void LagNode::process (const NodeBlock<double>& block)
-{
-    filter (block);
 }
 } // namespace antinode

@@ -18,15 +18,11 @@ public:
     int inputs() const override { return static_cast<int> (model->actuators()); }
     int outputs() const override { return inputs(); }
     void prepare (const NodeFormat&) override;
-    void process (const NodeBlock<float>&) override;
-    void process (const NodeBlock<double>&) override;
+    void process (const NodeBlock&) override;
     void reset() override { recent.setZero(); }
     std::int64_t latencySamples() const override { return filters.lateness; }
 
 private:
-    template <typename Sample>
-    void filter (const NodeBlock<Sample>&);
-
     std::shared_ptr<const ModalModel> model;
     LagDirection direction;
     LagFilters filters;

@@ -25,8 +25,7 @@ void LimiterNode::prepare (const NodeFormat& format)
     ramp = SafetyRamp (isArmed ? 1 : 0);
 }
 
-template <typename Sample>
-void LimiterNode::limit (const NodeBlock<Sample>& block)
+void LimiterNode::process (const NodeBlock& block)
 {
     for (int i = 0; i < channels; ++i)
         std::copy (block.inputs[i], block.inputs[i] + block.count, block.outputs[i]);
@@ -45,15 +44,5 @@ void LimiterNode::limit (const NodeBlock<Sample>& block)
         voltageLimiter.setFurtherLimit (i, std::min (ofAll, focusLimits[i].load (std::memory_order_relaxed)));
 
     voltageLimiter.process (block.outputs, block.count);
-}
-
-void LimiterNode::process (const NodeBlock<float>& block)
-{
-    limit (block);
-}
-
-void LimiterNode::process (const NodeBlock<double>& block)
-{
-    limit (block);
 }
 } // namespace antinode

@@ -23,8 +23,7 @@ public:
     int inputs() const override { return channels; }
     int outputs() const override { return channels; }
     void prepare (const NodeFormat&) override;
-    void process (const NodeBlock<float>&) override;
-    void process (const NodeBlock<double>&) override;
+    void process (const NodeBlock&) override;
     void reset() override { voltageLimiter.reset(); }
 
     /** The duration of a ramp, s. */
@@ -49,9 +48,6 @@ public:
     const VoltageLimiter& limiter() const { return voltageLimiter; }
 
 private:
-    template <typename Sample>
-    void limit (const NodeBlock<Sample>&);
-
     int channels;
     std::atomic<bool> wantsArmed { true };
     std::atomic<double> wantedLimit { std::numeric_limits<double>::infinity() };

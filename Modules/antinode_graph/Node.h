@@ -16,11 +16,10 @@ struct NodeFormat
 };
 
 /** A block of planar channels. Inputs and outputs do not overlap. */
-template <typename Sample>
 struct NodeBlock
 {
-    const Sample* const* inputs = nullptr; ///< One pointer per channel.
-    Sample* const* outputs = nullptr;      ///< The same; what they hold is overwritten.
+    const double* const* inputs = nullptr; ///< One pointer per channel.
+    double* const* outputs = nullptr;      ///< The same; what they hold is overwritten.
     int count = 0;                         ///< Samples.
     std::span<const FocusEvent> events;    ///< Of this block, for nodes that play.
 };
@@ -44,8 +43,7 @@ public:
 
     /** [audio thread] allocates nothing, locks nothing; the result does not depend on how samples are cut into blocks
      */
-    virtual void process (const NodeBlock<float>&) = 0;
-    virtual void process (const NodeBlock<double>&) = 0;
+    virtual void process (const NodeBlock&) = 0;
 
     /** Back to rest. [audio thread] */
     virtual void reset() = 0;

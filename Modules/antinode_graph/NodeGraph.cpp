@@ -10,34 +10,7 @@ namespace
 {
 constexpr std::size_t maximumEvents =
     4096; // of one part of a block: more go to the next part, and are left out at the last
-
-/** Pointers to all channels of the nodes' buffers, one node after the other. */
-template <typename Sample, typename Entries>
-std::vector<const Sample*> pointersTo (const Entries& entries, const std::vector<int>& nodes)
-{
-    std::vector<const Sample*> pointers;
-
-    for (const auto index : nodes)
-    {
-        const auto& buffer = entries[static_cast<std::size_t> (index)].template buffer<Sample>();
-        pointers.insert (pointers.end(), buffer.channels(), buffer.channels() + buffer.size());
-    }
-
-    return pointers;
-}
 } // namespace
-
-template <>
-const PlanarBuffer<float>& NodeGraph::Entry::buffer<float>() const
-{
-    return floats;
-}
-
-template <>
-const PlanarBuffer<double>& NodeGraph::Entry::buffer<double>() const
-{
-    return doubles;
-}
 
 int NodeGraph::add (std::unique_ptr<Node> node, int source)
 {
@@ -77,12 +50,16 @@ void NodeGraph::prepare (const NodeFormat& format)
     for (auto& entry : entries)
     {
         entry.node->prepare (format);
-        entry.floats = PlanarBuffer<float> (entry.node->outputs(), longestBlock);
-        entry.doubles = PlanarBuffer<double> (entry.node->outputs(), longestBlock);
+        entry.buffer = PlanarBuffer<double> (entry.node->outputs(), longestBlock);
     }
 
-    floatOutputs = pointersTo<float> (entries, outputNodes);
-    doubleOutputs = pointersTo<double> (entries, outputNodes);
+    outputPointers.clear();
+
+    for (const auto index : outputNodes)
+    {
+        const auto& buffer = entries[static_cast<std::size_t> (index)].buffer;
+        outputPointers.insert (outputPointers.end(), buffer.channels(), buffer.channels() + buffer.size());
+    }
 }
 
 void NodeGraph::reset()
@@ -104,37 +81,30 @@ NodeGraph::Events NodeGraph::takePartEvents (Events::iterator& next, Events::ite
     return partEvents;
 }
 
-template <typename Sample>
 void NodeGraph::processPart (int count, Events events)
 {
     for (auto& entry : entries)
     {
-        NodeBlock<Sample> block;
-        block.outputs = entry.template buffer<Sample>().channels();
+        NodeBlock block;
+        block.outputs = entry.buffer.channels();
         block.count = count;
         block.events = events;
 
         if (entry.source != noSource)
-            block.inputs = entries[static_cast<std::size_t> (entry.source)].template buffer<Sample>().channels();
+            block.inputs = entries[static_cast<std::size_t> (entry.source)].buffer.channels();
 
         entry.node->process (block);
     }
 }
 
-template <typename Sample>
-void NodeGraph::process (Sample* const* channels, int count, std::span<const FocusEvent> events)
+void NodeGraph::process (double* const* channels, int count, std::span<const FocusEvent> events)
 {
     const auto width = static_cast<std::size_t> (outputs());
-    processParts<Sample> (count, events,
-                          [&] (int offset, int length, const Sample* const* from)
-                          {
-                              for (std::size_t i = 0; i < width; ++i)
-                                  std::copy_n (from[i], length, channels[i] + offset);
-                          });
+    processParts (count, events,
+                  [&] (int offset, int length, const double* const* from)
+                  {
+                      for (std::size_t i = 0; i < width; ++i)
+                          std::copy_n (from[i], length, channels[i] + offset);
+                  });
 }
-
-template void NodeGraph::processPart<float> (int, Events);
-template void NodeGraph::processPart<double> (int, Events);
-template void NodeGraph::process (float* const*, int, std::span<const FocusEvent>);
-template void NodeGraph::process (double* const*, int, std::span<const FocusEvent>);
 } // namespace antinode

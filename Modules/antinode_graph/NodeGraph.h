@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <type_traits>
 #include <vector>
 
 namespace antinode
@@ -33,7 +32,7 @@ public:
     int nodes() const { return static_cast<int> (entries.size()); }
     Node& node (int index) { return *entries[static_cast<std::size_t> (index)].node; }
 
-    /** Prepares all nodes and makes the buffers, for samples of both precisions. [worker] allocates */
+    /** Prepares all nodes and makes the buffers. [worker] allocates */
     void prepare (const NodeFormat&);
 
     /** Plays a block in parts of at most the prepared length, and hands each event to the part that it lies in.
@@ -42,7 +41,7 @@ public:
         @param hear  called after each part with its first sample, its length and outputs() pointers to what it gave
                        [audio thread] allocates nothing, locks nothing; a block of length 0 is one part, for its
                        events */
-    template <typename Sample, typename Hear>
+    template <typename Hear>
     void processParts (int count, std::span<const FocusEvent> events, Hear&& hear)
     {
         auto offset = 0;
@@ -52,8 +51,8 @@ public:
         {
             const auto length = std::min (longestBlock, count - offset);
             const auto end = offset + length;
-            processPart<Sample> (length, takePartEvents (next, events.end(), offset, end < count ? end : noEnd));
-            hear (offset, length, outputPointers<Sample>());
+            processPart (length, takePartEvents (next, events.end(), offset, end < count ? end : noEnd));
+            hear (offset, length, outputPointers.data());
             offset += length;
         } while (offset < count);
     }
@@ -61,8 +60,7 @@ public:
     /** The same into the caller's channels.
         @param channels  outputs() pointers
         [audio thread] allocates nothing, locks nothing */
-    template <typename Sample>
-    void process (Sample* const* channels, int count, std::span<const FocusEvent> events);
+    void process (double* const* channels, int count, std::span<const FocusEvent> events);
 
     /** [audio thread] */
     void reset();
@@ -72,11 +70,7 @@ private:
     {
         std::unique_ptr<Node> node;
         int source = noSource;
-        PlanarBuffer<float> floats; ///< Of its outputs.
-        PlanarBuffer<double> doubles;
-
-        template <typename Sample>
-        const PlanarBuffer<Sample>& buffer() const;
+        PlanarBuffer<double> buffer; ///< Of its outputs.
     };
 
     using Events = std::span<const FocusEvent>;
@@ -84,22 +78,12 @@ private:
         std::numeric_limits<int>::max(); ///< Of the last part: it takes all events that are left.
 
     Events takePartEvents (Events::iterator& next, Events::iterator last, int offset, int end);
-    template <typename Sample>
     void processPart (int count, Events events);
-    template <typename Sample>
-    const Sample* const* outputPointers() const
-    {
-        if constexpr (std::is_same_v<Sample, float>)
-            return floatOutputs.data();
-        else
-            return doubleOutputs.data();
-    }
 
     std::vector<Entry> entries;
     std::vector<int> outputNodes;
     std::vector<FocusEvent> partEvents;
-    std::vector<const float*> floatOutputs;
-    std::vector<const double*> doubleOutputs;
+    std::vector<const double*> outputPointers;
     int longestBlock = 1;
 };
 } // namespace antinode

@@ -5,8 +5,7 @@
 
 namespace antinode
 {
-template <typename Sample>
-void OverlaidFociNode::play (const NodeBlock<Sample>& block)
+void OverlaidFociNode::process (const NodeBlock& block)
 {
     player.process (block);
 
@@ -14,7 +13,4 @@ void OverlaidFociNode::play (const NodeBlock<Sample>& block)
         std::transform (block.inputs[i], block.inputs[i] + block.count, block.outputs[i], block.outputs[i],
                         std::plus<>());
 }
-
-template void OverlaidFociNode::play (const NodeBlock<float>&);
-template void OverlaidFociNode::play (const NodeBlock<double>&);
 } // namespace antinode

@@ -14,17 +14,13 @@ public:
     int inputs() const override { return player.outputs(); }
     int outputs() const override { return player.outputs(); }
     void prepare (const NodeFormat& format) override { player.prepare (format); }
-    void process (const NodeBlock<float>& block) override { play (block); }
-    void process (const NodeBlock<double>& block) override { play (block); }
+    void process (const NodeBlock&) override;
     void reset() override { player.reset(); }
 
     /** As VoiceNode has it. */
     FocusVoices& voices() { return player.voices(); }
 
 private:
-    template <typename Sample>
-    void play (const NodeBlock<Sample>&);
-
     PlayerNode player;
 };
 } // namespace antinode

@@ -58,8 +58,7 @@ void PlateModelNode::modalVelocities (std::span<double> velocities) const
     std::copy_n (plate->modalVelocities().data(), velocities.size(), velocities.data());
 }
 
-template <typename Sample>
-void PlateModelNode::move (const NodeBlock<Sample>& block)
+void PlateModelNode::process (const NodeBlock& block)
 {
     takeProbes();
 
@@ -69,7 +68,7 @@ void PlateModelNode::move (const NodeBlock<Sample>& block)
 
         for (int i = 0; i < inputs(); ++i)
             for (int n = 0; n < count; ++n)
-                voltages (i, n) = static_cast<double> (block.inputs[i][done + n]);
+                voltages (i, n) = block.inputs[i][done + n];
 
         plate->processModes (voltages.leftCols (count), motion.leftCols (count));
 
@@ -81,18 +80,8 @@ void PlateModelNode::move (const NodeBlock<Sample>& block)
                 heard.col (n) += shapes->col (k) * motion (k, n);
 
             for (int p = 0; p < probes; ++p)
-                block.outputs[p][done + n] = static_cast<Sample> (heard (p, n));
+                block.outputs[p][done + n] = heard (p, n);
         }
     }
-}
-
-void PlateModelNode::process (const NodeBlock<float>& block)
-{
-    move (block);
-}
-
-void PlateModelNode::process (const NodeBlock<double>& block)
-{
-    move (block);
 }
 } // namespace antinode

@@ -25,8 +25,7 @@ public:
     int inputs() const override { return static_cast<int> (model->actuators()); }
     int outputs() const override { return probes; }
     void prepare (const NodeFormat&) override;
-    void process (const NodeBlock<float>&) override;
-    void process (const NodeBlock<double>&) override;
+    void process (const NodeBlock&) override;
     void reset() override { plate->reset(); }
     std::int64_t latencySamples() const override { return plate->latencySamples(); }
     void setProbes (Eigen::MatrixXd probeShapes) override;
@@ -34,8 +33,6 @@ public:
 
 private:
     void takeProbes();
-    template <typename Sample>
-    void move (const NodeBlock<Sample>&);
 
     std::shared_ptr<const ModalModel> model;
     int probes;

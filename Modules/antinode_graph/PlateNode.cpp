@@ -1,8 +1,5 @@
 #include "PlateNode.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace antinode
@@ -49,19 +46,7 @@ RealtimePlate& PlateNode::newestPlate()
     return *plate;
 }
 
-void PlateNode::process (const NodeBlock<float>& block)
-{
-    newestPlate().process (block.inputs, block.outputs, block.count);
-
-    // The plate's states pass through what floats cannot hold long before they are still: that must not slow down what
-    // comes behind.
-    for (int i = 0; i < outputs(); ++i)
-        std::replace_if (
-            block.outputs[i], block.outputs[i] + block.count,
-            [] (float velocity) { return std::abs (velocity) < std::numeric_limits<float>::min(); }, 0.0F);
-}
-
-void PlateNode::process (const NodeBlock<double>& block)
+void PlateNode::process (const NodeBlock& block)
 {
     newestPlate().process (block.inputs, block.outputs, block.count);
 }

@@ -23,8 +23,7 @@ public:
     int inputs() const override { return static_cast<int> (model->actuators()); }
     int outputs() const override { return static_cast<int> (probeShapes.rows()); }
     void prepare (const NodeFormat&) override;
-    void process (const NodeBlock<float>&) override;
-    void process (const NodeBlock<double>&) override;
+    void process (const NodeBlock&) override;
     void reset() override;
 
     /** @throws InputError  as RealtimePlate */

@@ -16,12 +16,7 @@ void PlayerNode::prepare (const NodeFormat& format)
     sampleRate = format.sampleRate;
 }
 
-void PlayerNode::process (const NodeBlock<float>& block)
-{
-    focusPlayer->process (block.outputs, block.count, block.events);
-}
-
-void PlayerNode::process (const NodeBlock<double>& block)
+void PlayerNode::process (const NodeBlock& block)
 {
     focusPlayer->process (block.outputs, block.count, block.events);
 }

@@ -17,8 +17,7 @@ public:
     std::string name() const override { return "Player"; }
     int outputs() const override { return ceramics; }
     void prepare (const NodeFormat&) override;
-    void process (const NodeBlock<float>&) override;
-    void process (const NodeBlock<double>&) override;
+    void process (const NodeBlock&) override;
     void reset() override;
     FocusVoices& voices() override { return *focusPlayer; }
     const FocusVoices& voices() const override { return *focusPlayer; }

@@ -20,12 +20,7 @@ void SlewNode::reset()
         limiter->reset();
 }
 
-void SlewNode::process (const NodeBlock<float>& block)
-{
-    limiter->process (block.inputs, block.outputs, block.count);
-}
-
-void SlewNode::process (const NodeBlock<double>& block)
+void SlewNode::process (const NodeBlock& block)
 {
     limiter->process (block.inputs, block.outputs, block.count);
 }

@@ -39,21 +39,21 @@ void AudioPath::process (const AudioBlock<Sample>& block, std::span<const FocusE
             limiter->setVoltageLimit (controls.voltageLimit);
 
     monitorGain = controls.monitorGain;
-    standard.graph.processParts<double> (
-        block.count, events,
-        [&] (int offset, int count, Outputs outputs)
-        {
-            // Before its samples are written over.
-            if (listening.tap != nullptr)
-                listening.tap->write (outputs, block.sensor != nullptr ? block.sensor + offset : nullptr, count);
+    standard.graph.processParts (block.count, events,
+                                 [&] (int offset, int count, Outputs outputs)
+                                 {
+                                     // Before its samples are written over.
+                                     if (listening.tap != nullptr)
+                                         listening.tap->write (
+                                             outputs, block.sensor != nullptr ? block.sensor + offset : nullptr, count);
 
-            const auto velocities = outputs + modes->actuators();
-            const auto asked = standard.lags ? velocities + probes : outputs;
-            writeVoltages (block, offset, count, asked);
-            writeMonitor (block, offset, count, velocities);
-            noteVoltages (count, asked, meters);
-            noteProbes (count, velocities, meters, trace);
-        });
+                                     const auto velocities = outputs + modes->actuators();
+                                     const auto asked = standard.lags ? velocities + probes : outputs;
+                                     writeVoltages (block, offset, count, asked);
+                                     writeMonitor (block, offset, count, velocities);
+                                     noteVoltages (count, asked, meters);
+                                     noteProbes (count, velocities, meters, trace);
+                                 });
     const auto triggered = voices.counters().triggered;
     meters.addTriggered (triggered - std::exchange (countedTriggers, triggered));
     meters.noteState (standard.limiterNode().limiter().isMuted(), voices.activeVoices());

@@ -56,18 +56,18 @@ void PlatePath::process (const AudioBlock<Sample>& block, const SurfaceControls&
     if (isLeaving && ! std::exchange (isRamping, true))
         ramp.setTarget (0, std::llround (LimiterNode::rampTime * rate));
 
-    graph.processParts<double> (block.count, {},
-                                [&] (int offset, int count, Outputs outputs)
-                                {
-                                    const auto velocities = outputs + modes->actuators();
-                                    writeVelocities (block, offset, count, velocities);
-                                    noteVoltages (count, outputs, meters);
+    graph.processParts (block.count, {},
+                        [&] (int offset, int count, Outputs outputs)
+                        {
+                            const auto velocities = outputs + modes->actuators();
+                            writeVelocities (block, offset, count, velocities);
+                            noteVoltages (count, outputs, meters);
 
-                                    for (int i = 0; i < probes; ++i)
-                                        meters.noteProbe (i, static_cast<float> (absolutePeak (velocities[i], count)));
+                            for (int i = 0; i < probes; ++i)
+                                meters.noteProbe (i, static_cast<float> (absolutePeak (velocities[i], count)));
 
-                                    captureMotion (count);
-                                });
+                            captureMotion (count);
+                        });
     meters.noteState (limiters().front()->limiter().isMuted(), 0);
 }
 

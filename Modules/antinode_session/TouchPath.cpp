@@ -96,19 +96,19 @@ void TouchPath::process (const AudioBlock<Sample>& block, const TouchControls& c
     setArmed (controls.isArmed && ! isLeaving);
     const auto due =
         delay.process (placed (block.events, controls), block.count, latencies[controls.latency], isLeaving);
-    graph.processParts<double> (
-        block.count, due,
-        [&] (int offset, int count, Outputs outputs)
-        {
-            // Before its samples are written over.
-            if (listening.tap != nullptr)
-                listening.tap->write (outputs, block.sensor != nullptr ? block.sensor + offset : nullptr, count);
+    graph.processParts (block.count, due,
+                        [&] (int offset, int count, Outputs outputs)
+                        {
+                            // Before its samples are written over.
+                            if (listening.tap != nullptr)
+                                listening.tap->write (outputs,
+                                                      block.sensor != nullptr ? block.sensor + offset : nullptr, count);
 
-            const auto asked = limiters().back() != nullptr ? outputs + modes->actuators() : outputs;
-            writeVoltages (block, offset, count, asked);
-            noteVoltages (count, asked, meters);
-            noteMotions (fingerMeters);
-        });
+                            const auto asked = limiters().back() != nullptr ? outputs + modes->actuators() : outputs;
+                            writeVoltages (block, offset, count, asked);
+                            noteVoltages (count, asked, meters);
+                            noteMotions (fingerMeters);
+                        });
 
     for (int j = 0; j < fingers; ++j)
     {

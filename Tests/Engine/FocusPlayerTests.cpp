@@ -77,17 +77,6 @@ TEST_CASE ("Blocks of any size give the same samples to the bit, whatever happen
         }
 }
 
-TEST_CASE ("A float player differs by rounding only", "[engine][player]")
-{
-    const auto events = randomEvents (100, 5000, 4);
-    FocusPlayer doubles (playerCeramics, playerRate, {}), floats (playerCeramics, playerRate, {});
-    doubles.handOver().give (variedBank (10));
-    floats.handOver().give (variedBank (10));
-    const auto a = played<double> (doubles, events, 5000, { 128 });
-    const auto b = played<float> (floats, events, 5000, { 128 });
-    CHECK ((a - b).cwiseAbs().maxCoeff() < 3e-6 * a.cwiseAbs().maxCoeff());
-}
-
 TEST_CASE ("The twenty-fifth voice fades the oldest out, smoothly", "[engine][player]")
 {
     // One place of constant voltage for a second: what is heard is how many voices there are.

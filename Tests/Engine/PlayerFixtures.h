@@ -79,19 +79,18 @@ struct TimedEvent
 };
 
 /** Plays events in blocks of the given sizes, over and over, and returns all samples: channels x length. */
-template <typename Sample = double>
-Eigen::MatrixXd played (FocusPlayer& player, const std::vector<TimedEvent>& timed, Eigen::Index length,
-                        const std::vector<int>& blocks)
+inline Eigen::MatrixXd played (FocusPlayer& player, const std::vector<TimedEvent>& timed, Eigen::Index length,
+                               const std::vector<int>& blocks)
 {
     Eigen::MatrixXd result (playerCeramics, length);
-    std::vector<std::vector<Sample>> buffers (playerCeramics);
+    std::vector<std::vector<double>> buffers (playerCeramics);
     std::size_t next = 0, block = 0;
 
     for (Eigen::Index start = 0; start < length; ++block)
     {
         const auto count = static_cast<int> (std::min<Eigen::Index> (blocks[block % blocks.size()], length - start));
         std::vector<FocusEvent> events;
-        std::vector<Sample*> channels;
+        std::vector<double*> channels;
 
         for (; next < timed.size() && timed[next].sample < start + count; ++next)
         {
@@ -101,7 +100,7 @@ Eigen::MatrixXd played (FocusPlayer& player, const std::vector<TimedEvent>& time
 
         for (auto& buffer : buffers)
         {
-            buffer.assign (static_cast<std::size_t> (count), Sample (77));
+            buffer.assign (static_cast<std::size_t> (count), 77.0);
             channels.push_back (buffer.data());
         }
 
@@ -109,8 +108,7 @@ Eigen::MatrixXd played (FocusPlayer& player, const std::vector<TimedEvent>& time
 
         for (int i = 0; i < playerCeramics; ++i)
             for (int n = 0; n < count; ++n)
-                result (i, start + n) =
-                    static_cast<double> (buffers[static_cast<std::size_t> (i)][static_cast<std::size_t> (n)]);
+                result (i, start + n) = buffers[static_cast<std::size_t> (i)][static_cast<std::size_t> (n)];
 
         start += count;
     }

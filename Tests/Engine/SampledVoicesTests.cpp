@@ -29,13 +29,12 @@ Eigen::MatrixXd placed (const VoltageProgram& program, Eigen::Index start, doubl
     return voltages;
 }
 
-template <typename Sample>
 Eigen::MatrixXd playedIn (const PlayerSettings& settings, const std::vector<TimedEvent>& events,
                           const std::vector<int>& blocks)
 {
     FocusPlayer player (playerCeramics, playerRate, settings);
     player.handOver().give (mixedBank (10));
-    const auto result = played<Sample> (player, events, 20000, blocks);
+    const auto result = played (player, events, 20000, blocks);
     CHECK (player.counters().stolen > 0);
     return result;
 }
@@ -44,15 +43,13 @@ Eigen::MatrixXd playedIn (const PlayerSettings& settings, const std::vector<Time
 TEST_CASE ("A trigger plays the samples of its place from its sample on, times its amplitude", "[engine][sampled]")
 {
     const auto program = sampledProgram (7, 0.0100037, 10); // between two samples
-    FocusPlayer doubles (playerCeramics, playerRate, {}), floats (playerCeramics, playerRate, {});
-    doubles.handOver().give (bankOf (program));
-    floats.handOver().give (bankOf (program));
+    FocusPlayer player (playerCeramics, playerRate, {});
+    player.handOver().give (bankOf (program));
     const auto expected = placed (program, 37, 0.7, 1000);
     const auto events = std::vector { triggerAt (37, 60, 0.7) };
-    CHECK ((played<double> (doubles, events, 1000, { 64 }) - expected).cwiseAbs().maxCoeff() < 1e-6 * 10);
-    CHECK ((played<float> (floats, events, 1000, { 64 }) - expected).cwiseAbs().maxCoeff() < 1e-6 * 10);
-    CHECK (doubles.counters().triggered == 1);
-    CHECK (doubles.activeVoices() == 0);
+    CHECK ((played (player, events, 1000, { 64 }) - expected).cwiseAbs().maxCoeff() < 1e-6 * 10);
+    CHECK (player.counters().triggered == 1);
+    CHECK (player.activeVoices() == 0);
 }
 
 TEST_CASE ("Samples and oscillations together: blocks of any size give the same samples to the bit",
@@ -65,11 +62,10 @@ TEST_CASE ("Samples and oscillations together: blocks of any size give the same 
     settings.retrigger = onNote ? RetriggerBehaviour::restart : RetriggerBehaviour::overlap;
     settings.focusOnNote = onNote;
     const auto events = randomEvents (5000, 20000, 3);
-    const auto whole = playedIn<double> (settings, events, { 20000 });
-    CHECK (playedIn<double> (settings, events, { 1 }) == whole);
-    CHECK (playedIn<double> (settings, events, { 7, 512, 1, 33 }) == whole);
+    const auto whole = playedIn (settings, events, { 20000 });
+    CHECK (playedIn (settings, events, { 1 }) == whole);
+    CHECK (playedIn (settings, events, { 7, 512, 1, 33 }) == whole);
     CHECK (whole.allFinite());
-    CHECK (playedIn<float> (settings, events, { 64 }) == playedIn<float> (settings, events, { 5, 1024, 3 }));
 }
 
 TEST_CASE ("A voice of samples fades, and its focus falls on the note", "[engine][sampled]")
@@ -112,7 +108,7 @@ TEST_CASE ("Kernels add samples the same way at any place of a block, on every i
     for (const auto target : hwy::SupportedAndGeneratedTargets())
     {
         hwy::SetSupportedTargetsForTest (target);
-        const auto add = sampleKernel<double>().addScaled;
+        const auto add = sampleKernel().addScaled;
         hwy::SetSupportedTargetsForTest (0);
         auto whole = to;
         add (from.data(), 0.3, whole.data(), 101);

@@ -16,12 +16,11 @@ namespace
 {
 
 /** Planar channels of what a synthesiser adds to 0 from a sample on, in blocks. */
-template <typename Sample>
-std::vector<std::vector<Sample>> addInBlocks (const VoltageSynthesiser& synthesiser, std::int64_t first, int samples,
+std::vector<std::vector<double>> addInBlocks (const VoltageSynthesiser& synthesiser, std::int64_t first, int samples,
                                               int blockSize, double amplitude = 1)
 {
-    std::vector<std::vector<Sample>> planar (synthesiser.channelCount(), std::vector<Sample> (samples));
-    std::vector<Sample*> channels (planar.size());
+    std::vector<std::vector<double>> planar (synthesiser.channelCount(), std::vector<double> (samples));
+    std::vector<double*> channels (planar.size());
 
     for (int done = 0; done < samples; done += blockSize)
     {
@@ -81,16 +80,14 @@ Eigen::MatrixXd byDefinition (const VoltageProgram& program, double rate, std::i
     return voltages;
 }
 
-template <typename Sample>
-double worstDifference (const std::vector<std::vector<Sample>>& planar, const Eigen::MatrixXd& wanted)
+double worstDifference (const std::vector<std::vector<double>>& planar, const Eigen::MatrixXd& wanted)
 {
     double worst = 0;
 
     for (std::size_t i = 0; i < planar.size(); ++i)
         for (std::size_t n = 0; n < planar[i].size(); ++n)
-            worst =
-                std::max (worst, std::abs (static_cast<double> (planar[i][n])
-                                           - wanted (static_cast<Eigen::Index> (i), static_cast<Eigen::Index> (n))));
+            worst = std::max (
+                worst, std::abs (planar[i][n] - wanted (static_cast<Eigen::Index> (i), static_cast<Eigen::Index> (n))));
 
     return worst;
 }
@@ -106,9 +103,9 @@ public:
 };
 } // namespace
 
-TEST_CASE ("voltages of every instruction set are the definition's, in double to 1e-11 and in float to 1e-4")
+TEST_CASE ("voltages of every instruction set are the definition's, to 1e-11")
 {
-    // 150 oscillations of up to e^4 V and 1 each: rounding adds up to some 1e-13 in double and 1e-5 in float.
+    // 150 oscillations of up to e^4 V and 1 each: rounding adds up to some 1e-13.
     const auto program = crowd();
     const auto wanted = byDefinition (program, 96e3, -10, 6000);
     CHECK (wanted.cwiseAbs().maxCoeff() > 10);
@@ -118,8 +115,7 @@ TEST_CASE ("voltages of every instruction set are the definition's, in double to
         const OnlyTarget only (target);
         const VoltageSynthesiser synthesiser (program, { Reconstruction::bandLimited, 96e3 });
         INFO (hwy::TargetName (target));
-        CHECK (worstDifference (addInBlocks<double> (synthesiser, -10, 6000, 6000), wanted) < 1e-11);
-        CHECK (worstDifference (addInBlocks<float> (synthesiser, -10, 6000, 6000), wanted) < 1e-4);
+        CHECK (worstDifference (addInBlocks (synthesiser, -10, 6000, 6000), wanted) < 1e-11);
     }
 }
 
@@ -129,14 +125,12 @@ TEST_CASE ("added voltages do not depend on the block size, to the bit, with any
     {
         const OnlyTarget only (target);
         const VoltageSynthesiser synthesiser (crowd(), { Reconstruction::bandLimited, 192e3 });
-        const auto whole = addInBlocks<double> (synthesiser, -77, 12000, 12000);
-        const auto wholeFloat = addInBlocks<float> (synthesiser, -77, 12000, 12000);
+        const auto whole = addInBlocks (synthesiser, -77, 12000, 12000);
 
         for (const auto blockSize : { 1, 7, 33, 64, 100, 512, 8193 })
         {
             INFO (hwy::TargetName (target) << ", blocks of " << blockSize);
-            CHECK (addInBlocks<double> (synthesiser, -77, 12000, blockSize) == whole);
-            CHECK (addInBlocks<float> (synthesiser, -77, 12000, blockSize) == wholeFloat);
+            CHECK (addInBlocks (synthesiser, -77, 12000, blockSize) == whole);
         }
     }
 }
@@ -146,13 +140,13 @@ TEST_CASE ("voltages are the same in planar channels and in a matrix, to the bit
     const VoltageSynthesiser synthesiser (crowd(), { Reconstruction::bandLimited, 48e3 });
     Eigen::MatrixXd matrix (23, 3000);
     synthesiser.process (5, matrix);
-    CHECK (worstDifference (addInBlocks<double> (synthesiser, 5, 3000, 1000), matrix) == 0);
+    CHECK (worstDifference (addInBlocks (synthesiser, 5, 3000, 1000), matrix) == 0);
 }
 
 TEST_CASE ("voltages are added to what the channels hold, times the amplitude, and nothing beside the block is touched")
 {
     const VoltageSynthesiser synthesiser (manyOscillations(), { Reconstruction::bandLimited, 48e3 });
-    const auto alone = addInBlocks<double> (synthesiser, 900, 200, 200);
+    const auto alone = addInBlocks (synthesiser, 900, 200, 200);
     std::vector<std::vector<double>> planar (8, std::vector<double> (210, 3.0));
     std::vector<double*> channels;
     std::transform (planar.begin(), planar.end(), std::back_inserter (channels), [] (auto& p) { return p.data() + 5; });
@@ -169,16 +163,6 @@ TEST_CASE ("voltages are added to what the channels hold, times the amplitude, a
     }
 }
 
-TEST_CASE ("in float, oscillations are exact to 3e-7 of their envelope after a second at 192 kHz")
-{
-    const Oscillation oscillation { 0, 0.0123456789, 1.2, 0, 2 * std::numbers::pi * 30.9e3, 0.7, -0.4 };
-    const VoltageProgram program { { oscillation }, Eigen::MatrixXd::Ones (1, 1), Eigen::VectorXd::Ones (1), 1.1 };
-    const auto wanted = byDefinition (program, 192e3, 205000, 5000);
-    const VoltageSynthesiser synthesiser (program, { Reconstruction::bandLimited, 192e3 });
-    CHECK (worstDifference (addInBlocks<float> (synthesiser, 205000, 5000, 512), wanted)
-           < 3e-7 * std::hypot (0.7, 0.4));
-}
-
 TEST_CASE ("an oscillation of an hour is as exact at its end as at its start")
 {
     const Oscillation oscillation { 0, 0.1, 3700, 0, 2 * std::numbers::pi * 30.9e3, 1, 0 };
@@ -186,16 +170,15 @@ TEST_CASE ("an oscillation of an hour is as exact at its end as at its start")
     const VoltageSynthesiser synthesiser (program, { Reconstruction::bandLimited, 192e3 });
 
     for (const auto first : { 50000LL, 691200000LL })
-        CHECK (worstDifference (addInBlocks<double> (synthesiser, first, 500, 500),
-                                byDefinition (program, 192e3, first, 500))
+        CHECK (worstDifference (addInBlocks (synthesiser, first, 500, 500), byDefinition (program, 192e3, first, 500))
                < 1e-9); // extended precision knows the phase, 7e8 rad, to 4e-11
 }
 
 TEST_CASE ("adding voltages allocates nothing")
 {
     const VoltageSynthesiser synthesiser (manyOscillations(), { Reconstruction::bandLimited, 48e3 });
-    std::vector<std::vector<float>> planar (8, std::vector<float> (700));
-    std::vector<float*> channels;
+    std::vector<std::vector<double>> planar (8, std::vector<double> (700));
+    std::vector<double*> channels;
     std::transform (planar.begin(), planar.end(), std::back_inserter (channels), [] (auto& p) { return p.data(); });
     const auto before = mallocCalls();
     synthesiser.add (400, 700, 1.0, channels.data());

@@ -37,21 +37,22 @@ Eigen::MatrixXd someInputs()
         inputs, samples, [] (auto j, auto n) { return std::sin (0.02 * static_cast<double> (n * (j + 1))); });
 }
 
-/** A graph of inputs and one node, played in blocks; something may happen before each of them. */
+/** A graph of inputs, given in some precision, and one node, played in blocks; something may happen before each of
+    them. */
 template <typename Sample>
 Eigen::MatrixXd playedBy (NodeGraph& graph, const Eigen::MatrixXd& from, int block,
                           const std::function<void (int)>& before)
 {
     const auto wide = graph.outputs();
     const Eigen::Matrix<Sample, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> given = from.cast<Sample>();
-    Eigen::Matrix<Sample, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> played (wide, from.cols());
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> played (wide, from.cols());
 
     for (int start = 0; start < from.cols(); start += block)
     {
         before (start);
         const auto count = std::min (block, static_cast<int> (from.cols()) - start);
         std::vector<const Sample*> in;
-        std::vector<Sample*> out;
+        std::vector<double*> out;
 
         for (Eigen::Index j = 0; j < given.rows(); ++j)
             in.push_back (given.row (j).data() + start);
@@ -60,10 +61,10 @@ Eigen::MatrixXd playedBy (NodeGraph& graph, const Eigen::MatrixXd& from, int blo
             out.push_back (played.row (i).data() + start);
 
         static_cast<InputNode&> (graph.node (0)).give (in, 1);
-        graph.process<Sample> (out.data(), count, {});
+        graph.process (out.data(), count, {});
     }
 
-    return played.template cast<double>();
+    return played;
 }
 
 struct FilterGraph

@@ -2,8 +2,8 @@
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_graph/AllocationNode.h>
 #include <antinode_graph/ForceNode.h>
+#include <antinode_graph/MidiTriggers.h>
 #include <antinode_graph/NodeGraph.h>
-#include <antinode_graph/NodeProcessor.h>
 #include <antinode_graph/PlayerNode.h>
 
 #include <Support/SineBeam.h>
@@ -75,18 +75,13 @@ public:
     int inputs() const override { return ceramics; }
     int outputs() const override { return ceramics; }
     void prepare (const NodeFormat&) override {}
-    void process (const NodeBlock<float>& block) override { apply (block); }
-    void process (const NodeBlock<double>& block) override { apply (block); }
-    void reset() override {}
-
-private:
-    template <typename Sample>
-    void apply (const NodeBlock<Sample>& block)
+    void process (const NodeBlock& block) override
     {
         for (int i = 0; i < ceramics; ++i)
             for (int n = 0; n < block.count; ++n)
-                block.outputs[i][n] = static_cast<Sample> (i + 1) * block.inputs[i][n];
+                block.outputs[i][n] = (i + 1) * block.inputs[i][n];
     }
+    void reset() override {}
 };
 } // namespace
 
@@ -135,95 +130,6 @@ TEST_CASE ("A node of one's own takes its place with one line", "[graph]")
     NodeGraph wrong;
     const auto forces = wrong.add (std::make_unique<ForceNode> (ceramics, PlayerSettings {}, 3), NodeGraph::noSource);
     CHECK_THROWS_AS (wrong.add (std::make_unique<GainNode>(), forces), InputError);
-}
-
-TEST_CASE ("The same nodes in a juce::AudioProcessorGraph give the same samples", "[graph]")
-{
-    constexpr int block = 200;
-    const auto program = exampleProgram();
-    auto own = playerGraph (program);
-    const auto expected = playedBy (own, block);
-
-    juce::AudioProcessorGraph graph;
-    graph.setNonRealtime (true);
-    graph.setPlayConfigDetails (0, ceramics, rate, block);
-    graph.setProcessingPrecision (juce::AudioProcessor::doublePrecision);
-    using Io = juce::AudioProcessorGraph::AudioGraphIOProcessor;
-    const auto midi = graph.addNode (std::make_unique<Io> (Io::midiInputNode));
-    const auto output = graph.addNode (std::make_unique<Io> (Io::audioOutputNode));
-    auto playerNode = std::make_unique<PlayerNode> (ceramics, PlayerSettings {});
-    auto& player = *playerNode;
-    const auto playing =
-        graph.addNode (std::make_unique<NodeProcessor> (std::move (playerNode), VelocityCurve { 1, 0 }));
-    constexpr auto midiChannel = juce::AudioProcessorGraph::midiChannelIndex;
-    REQUIRE (graph.addConnection ({ { midi->nodeID, midiChannel }, { playing->nodeID, midiChannel } }));
-
-    for (int i = 0; i < ceramics; ++i)
-        REQUIRE (graph.addConnection ({ { playing->nodeID, i }, { output->nodeID, i } }));
-
-    graph.prepareToPlay (rate, block);
-    giveBank (player, program);
-    Eigen::MatrixXd result (length, ceramics);
-
-    for (int start = 0; start < length; start += block)
-    {
-        juce::AudioBuffer<double> buffer (ceramics, block);
-        juce::MidiBuffer notes;
-        buffer.clear();
-
-        if (start == 0)
-            notes.addEvent (juce::MidiMessage::noteOn (1, 60, static_cast<juce::uint8> (127)), 100);
-
-        graph.processBlock (buffer, notes);
-
-        for (int i = 0; i < ceramics; ++i)
-            std::copy_n (buffer.getReadPointer (i), block, result.col (i).data() + start);
-    }
-
-    CHECK (result.cwiseAbs().maxCoeff() > 0);
-    CHECK ((0.8 * result - expected).cwiseAbs().maxCoeff() <= 1e-14 * expected.cwiseAbs().maxCoeff());
-}
-
-TEST_CASE ("A node as a processor gets no more samples than it was prepared for", "[graph]")
-{
-    const auto program = exampleProgram();
-    const auto playedIn = [&] (int prepared)
-    {
-        auto node = std::make_unique<PlayerNode> (ceramics, PlayerSettings {});
-        auto& player = *node;
-        NodeProcessor processor (std::move (node), VelocityCurve { 1, 0 });
-        processor.prepareToPlay (rate, prepared);
-        giveBank (player, program);
-        juce::AudioBuffer<double> buffer (ceramics, length);
-        juce::MidiBuffer notes;
-        notes.addEvent (juce::MidiMessage::noteOn (1, 60, static_cast<juce::uint8> (127)), 100);
-        processor.processBlock (buffer, notes);
-        Eigen::MatrixXd played (length, ceramics);
-
-        for (int i = 0; i < ceramics; ++i)
-            std::copy_n (buffer.getReadPointer (i), length, played.col (i).data());
-
-        return played;
-    };
-    const auto whole = playedIn (length);
-    CHECK (whole.cwiseAbs().maxCoeff() > 0);
-    CHECK (playedIn (64) == whole);
-
-    NodeProcessor gain (std::make_unique<GainNode>());
-    gain.prepareToPlay (rate, 16);
-    juce::AudioBuffer<float> buffer (ceramics, 100);
-    juce::MidiBuffer none;
-
-    for (int i = 0; i < ceramics; ++i)
-        std::fill_n (buffer.getWritePointer (i), 100, 1.0F);
-
-    gain.processBlock (buffer, none);
-
-    for (int i = 0; i < ceramics; ++i)
-    {
-        const auto gained = static_cast<float> (i + 1);
-        CHECK (buffer.findMinMax (i, 0, 100) == juce::Range<float> (gained, gained));
-    }
 }
 
 TEST_CASE ("Notes become events to the sample", "[graph]")

@@ -81,7 +81,6 @@ std::vector<FocusEvent> randomEvents (int count)
 }
 
 /** All outputs of a graph: voltages and the probe x samples. Halfway it gets another bank. */
-template <typename Sample>
 Eigen::MatrixXd played (StandardGraph graph, const std::vector<FocusEvent>& events, int block, int longestBlock = 64)
 {
     graph.graph.prepare ({ rate, longestBlock });
@@ -103,14 +102,13 @@ Eigen::MatrixXd played (StandardGraph graph, const std::vector<FocusEvent>& even
         if (start <= length / 2 && length / 2 < start + block)
             example().giveTo (graph.voiceNode().voices());
 
-        graph.graph.processParts<Sample> (count, now,
-                                          [&] (int offset, int samples, const Sample* const* outputs)
-                                          {
-                                              for (int i = 0; i < result.rows(); ++i)
-                                                  for (int n = 0; n < samples; ++n)
-                                                      result (i, start + offset + n) =
-                                                          static_cast<double> (outputs[i][n]);
-                                          });
+        graph.graph.processParts (count, now,
+                                  [&] (int offset, int samples, const double* const* outputs)
+                                  {
+                                      for (int i = 0; i < result.rows(); ++i)
+                                          for (int n = 0; n < samples; ++n)
+                                              result (i, start + offset + n) = outputs[i][n];
+                                  });
     }
 
     return result;
@@ -143,19 +141,15 @@ public:
     int inputs() const override { return channels; }
     int outputs() const override { return channels; }
     void prepare (const NodeFormat&) override {}
-    void process (const NodeBlock<float>& block) override { apply (block); }
-    void process (const NodeBlock<double>& block) override { apply (block); }
-    void reset() override {}
-
-private:
-    template <typename Sample>
-    void apply (const NodeBlock<Sample>& block)
+    void process (const NodeBlock& block) override
     {
         for (int i = 0; i < channels; ++i)
             for (int n = 0; n < block.count; ++n)
-                block.outputs[i][n] = static_cast<Sample> (i + 1) * block.inputs[i][n];
+                block.outputs[i][n] = (i + 1) * block.inputs[i][n];
     }
+    void reset() override {}
 
+private:
     int channels;
 };
 
@@ -169,8 +163,7 @@ public:
     int inputs() const override { return channels; }
     int outputs() const override { return 0; }
     void prepare (const NodeFormat&) override {}
-    void process (const NodeBlock<float>&) override {}
-    void process (const NodeBlock<double>& block) override
+    void process (const NodeBlock& block) override
     {
         for (int i = 0; i < channels; ++i)
             for (int n = 0; n < block.count; ++n)
@@ -193,10 +186,7 @@ TEST_CASE ("The open graph plays what the fused one plays, voices stolen, faded,
     settings.noteOff = noteOff;
     settings.focusOnNote = onNote;
     settings.retrigger = onNote ? RetriggerBehaviour::restart : RetriggerBehaviour::overlap;
-    CHECK (difference (played<double> (fused (settings), events, 200), played<double> (open (settings), events, 200))
-           < 1e-12);
-    CHECK (difference (played<float> (fused (settings), events, 200), played<float> (open (settings), events, 200))
-           < 1e-6);
+    CHECK (difference (played (fused (settings), events, 200), played (open (settings), events, 200)) < 1e-12);
 }
 
 TEST_CASE ("The open graph does not depend, to the bit, on how time is cut", "[graph][open]")
@@ -204,10 +194,10 @@ TEST_CASE ("The open graph does not depend, to the bit, on how time is cut", "[g
     const auto events = randomEvents (400);
     PlayerSettings settings;
     settings.noteOff = NoteOffBehaviour::brake;
-    const auto whole = played<double> (open (settings), events, length, length);
-    CHECK (played<double> (open (settings), events, 1) == whole);
-    CHECK (played<double> (open (settings), events, 777) == whole);
-    CHECK (played<double> (open (settings), events, 64, 7) == whole);
+    const auto whole = played (open (settings), events, length, length);
+    CHECK (played (open (settings), events, 1) == whole);
+    CHECK (played (open (settings), events, 777) == whole);
+    CHECK (played (open (settings), events, 64, 7) == whole);
 }
 
 TEST_CASE ("Voices of the open graph are stolen as those of the fused one", "[graph][open]")
@@ -219,7 +209,7 @@ TEST_CASE ("Voices of the open graph are stolen as those of the fused one", "[gr
         graph->graph.prepare ({ rate, 64 });
         example().giveTo (graph->voiceNode().voices());
         const std::vector<FocusEvent> many (50, { 0, FocusEventKind::trigger, 1, 0.1 });
-        graph->graph.processParts<double> (640, many, [] (int, int, const double* const*) {});
+        graph->graph.processParts (640, many, [] (int, int, const double* const*) {});
     }
 
     const auto &a = one.voiceNode().voices().counters(), &b = other.voiceNode().voices().counters();
@@ -262,7 +252,7 @@ TEST_CASE ("A node of one's own stands between any nodes of the open graph, and 
            "[graph][open]")
 {
     const auto events = randomEvents (20);
-    const auto plain = played<double> (open ({}), events, 200);
+    const auto plain = played (open ({}), events, 200);
     double peak = 0;
     const auto insert = [&] (NodeGraph& graph, GraphPlace place, int last)
     {
@@ -274,7 +264,7 @@ TEST_CASE ("A node of one's own stands between any nodes of the open graph, and 
 
         return last;
     };
-    const auto changed = played<double> (open ({}, insert), events, 200);
+    const auto changed = played (open ({}, insert), events, 200);
     const auto limit = example().model->ceramics[0].voltageLimit;
 
     for (int i = 0; i < ceramics; ++i)
@@ -292,19 +282,19 @@ TEST_CASE ("A node of one's own stands between any nodes of the open graph, and 
 TEST_CASE ("Forces can be changed on their way to the allocation", "[graph][open]")
 {
     const auto events = randomEvents (20);
-    const auto plain = played<double> (open ({}), events, 200);
+    const auto plain = played (open ({}), events, 200);
     auto isInserted = false;
-    const auto changed = played<double> (
-        open ({},
-              [&] (NodeGraph& graph, GraphPlace place, int last)
-              {
-                  if (place != GraphPlace::afterForces)
-                      return last;
+    const auto changed =
+        played (open ({},
+                      [&] (NodeGraph& graph, GraphPlace place, int last)
+                      {
+                          if (place != GraphPlace::afterForces)
+                              return last;
 
-                  isInserted = true;
-                  return graph.add (std::make_unique<ChannelGainNode> (graph.node (last).outputs()), last);
-              }),
-        events, 200);
+                          isInserted = true;
+                          return graph.add (std::make_unique<ChannelGainNode> (graph.node (last).outputs()), last);
+                      }),
+                events, 200);
     CHECK (isInserted);
     CHECK (changed == plain);
 }

@@ -38,7 +38,7 @@ Eigen::MatrixXd played (SurfaceNode& node, const Eigen::MatrixXd& voltages, int 
             for (int n = 0; n < count; ++n)
                 in.channel (static_cast<std::size_t> (i))[n] = voltages (i, start + n);
 
-        node.process (NodeBlock<double> { in.channels(), out.channels(), count, {} });
+        node.process (NodeBlock { in.channels(), out.channels(), count, {} });
 
         for (int p = 0; p < node.outputs(); ++p)
             for (int n = 0; n < count; ++n)

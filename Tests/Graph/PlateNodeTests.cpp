@@ -22,7 +22,7 @@ std::vector<double> play (PlateNode& node, int blocks, int firstBlock)
             for (int n = 0; n < length; ++n)
                 voltages.channel (i)[n] = std::sin (0.03 * (b * length + n) * (i + 1));
 
-        node.process (NodeBlock<double> { voltages.channels(), velocities.channels(), length, {} });
+        node.process (NodeBlock { voltages.channels(), velocities.channels(), length, {} });
 
         for (int p = 0; p < node.outputs(); ++p)
             played.insert (played.end(), velocities.channel (p), velocities.channel (p) + length);

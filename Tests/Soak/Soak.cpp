@@ -77,12 +77,11 @@ private:
 };
 
 /** Plays so many seconds of audio as fast as it goes, random events all along, and looks at every block. */
-template <typename Sample>
 void play (NodeGraph& graph, double seconds, Findings& findings)
 {
-    using Block = Eigen::Matrix<Sample, longestBlock, ceramics + probes>;
+    using Block = Eigen::Matrix<double, longestBlock, ceramics + probes>;
     Block block = Block::Zero();
-    std::array<Sample*, ceramics + probes> channels;
+    std::array<double*, ceramics + probes> channels;
     RandomEvents random;
     const auto wanted = findings.samples + static_cast<std::int64_t> (seconds * rate);
 
@@ -103,8 +102,8 @@ void play (NodeGraph& graph, double seconds, Findings& findings)
         findings.locks += lockCalls() - locksBefore;
         findings.samples += count;
         findings.isFinite = findings.isFinite && block.allFinite();
-        const auto voltage = static_cast<double> (block.template leftCols<ceramics>().cwiseAbs().maxCoeff());
-        const auto velocity = static_cast<double> (block.template rightCols<probes>().cwiseAbs().maxCoeff());
+        const auto voltage = block.leftCols<ceramics>().cwiseAbs().maxCoeff();
+        const auto velocity = block.rightCols<probes>().cwiseAbs().maxCoeff();
         findings.largestVoltage = std::max (findings.largestVoltage, voltage);
         findings.largestVelocity = std::max (findings.largestVelocity, velocity);
     }
@@ -144,7 +143,6 @@ DesignRequest makeRequest (const std::shared_ptr<const ModalModel>& model, unsig
 }
 
 /** The whole graph for some seconds of audio, while a worker designs banks that are asked for at random. */
-template <typename Sample>
 void soak (const PlayerSettings& settings, double seconds, Findings& findings)
 {
     const auto model = limitedBeam();
@@ -160,7 +158,7 @@ void soak (const PlayerSettings& settings, double seconds, Findings& findings)
     std::thread audio (
         [&]
         {
-            play<Sample> (standard.graph, seconds, findings);
+            play (standard.graph, seconds, findings);
             isPlaying = false;
         });
 
@@ -224,9 +222,9 @@ int main (int argumentCount, char** arguments)
     }
 
     Findings findings;
-    soak<double> ({ NoteOffBehaviour::ignore, RetriggerBehaviour::overlap }, seconds / 3, findings);
-    soak<float> ({ NoteOffBehaviour::fade, RetriggerBehaviour::restart }, seconds / 3, findings);
-    soak<float> ({ NoteOffBehaviour::brake, RetriggerBehaviour::overlap, true }, seconds / 3, findings);
+    soak ({ NoteOffBehaviour::ignore, RetriggerBehaviour::overlap }, seconds / 3, findings);
+    soak ({ NoteOffBehaviour::fade, RetriggerBehaviour::restart }, seconds / 3, findings);
+    soak ({ NoteOffBehaviour::brake, RetriggerBehaviour::overlap, true }, seconds / 3, findings);
     print (findings);
     std::puts (isSound (findings) ? "sound" : "NOT SOUND");
     return isSound (findings) ? 0 : 1;
