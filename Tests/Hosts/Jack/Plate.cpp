@@ -115,7 +115,7 @@ int main (int count, char** arguments)
         for (const auto& focus : bench.foci())
             std::printf ("%.3f %.2f\n", focus.time, 100 * focus.error);
 
-        std::printf ("peak %.4f\n", static_cast<double> (bench.peak()));
+        std::printf ("peak %.4f\n", bench.peak());
         return 0;
     }
     catch (const std::exception& exception)

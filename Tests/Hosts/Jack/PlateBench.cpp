@@ -67,9 +67,8 @@ PlateBench::PlateBench (const BenchSetup& wanted, double sampleRate)
         channel.assign (length, 0);
 
     heard.assign (length, 0);
-    const Eigen::VectorXf drawn = (noiseLevel * before.heardDeviation * heardLevel / before.heardPeak
-                                   * RandomNumbers (seed).normal (static_cast<Eigen::Index> (length)))
-                                      .cast<float>();
+    const Eigen::VectorXd drawn = noiseLevel * before.heardDeviation * heardLevel / before.heardPeak
+                                  * RandomNumbers (seed).normal (static_cast<Eigen::Index> (length));
     noise.assign (drawn.begin(), drawn.end());
 }
 
@@ -93,7 +92,7 @@ bool PlateBench::process (const float* const* played, float* sensor, std::size_t
     hear (position, end);
 
     for (auto n = std::max (position, delay); n < end; ++n)
-        sensor[n - position] = heard[n - delay];
+        sensor[n - position] = static_cast<float> (heard[n - delay]);
 
     position = end;
     return position < heard.size();
@@ -119,15 +118,15 @@ void PlateBench::hear (std::size_t begin, std::size_t end)
 
     for (auto n = begin; n < end; ++n)
     {
-        const auto clean = scale * static_cast<double> (heard[n]);
+        const auto clean = scale * heard[n];
         const auto distorted = heardLevel * clean * (1 + cubic * clean * clean);
-        heard[n] = std::clamp (static_cast<float> (distorted) + noise[n], -1.0F, 1.0F);
+        heard[n] = std::clamp (distorted + noise[n], -1.0, 1.0);
     }
 }
 
-float PlateBench::peak() const
+double PlateBench::peak() const
 {
-    float largest = 0;
+    double largest = 0;
 
     for (const auto& channel : voltages)
         for (const auto sample : channel)
@@ -179,8 +178,7 @@ PlayedFocus PlateBench::evaluate (std::size_t trigger) const
     for (Eigen::Index i = 0; i < volts.rows(); ++i)
         volts.row (i) =
             device.model.fullScaleVoltage
-            * Eigen::Map<const Eigen::RowVectorXf> (voltages[static_cast<std::size_t> (i)].data() + trigger, length)
-                  .cast<double>();
+            * Eigen::Map<const Eigen::RowVectorXd> (voltages[static_cast<std::size_t> (i)].data() + trigger, length);
 
     model.processModes (volts, velocities);
     const auto least = (velocities.colwise() - device.wanted).colwise().norm().minCoeff();

@@ -58,7 +58,7 @@ public:
     std::vector<PlayedFocus> foci() const;
 
     /** The largest sample of all, 1.0 is full scale. [worker] */
-    float peak() const;
+    double peak() const;
 
 private:
     void move (std::size_t begin, std::size_t end);
@@ -70,9 +70,9 @@ private:
     double rate;
     std::size_t jumpSample, delay, position = 0;
     BenchDevice before, after;
-    std::vector<std::vector<float>> voltages; ///< By ceramic, as all that follows from the first voltage on.
-    std::vector<float> heard, noise;
-    std::vector<const float*> sources;
+    std::vector<std::vector<double>> voltages; ///< By ceramic, as all that follows from the first voltage on.
+    std::vector<double> heard, noise;
+    std::vector<const double*> sources;
     RealtimePlate plate, jumped;
 };
 } // namespace antinode::test
