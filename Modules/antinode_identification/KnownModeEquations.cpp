@@ -1,8 +1,8 @@
 #include "KnownModeEquations.h"
 
 #include <antinode_base/Watch.h>
-#include <antinode_numerics/GaussNewton.h>
 #include <antinode_numerics/DenseKernels.h>
+#include <antinode_numerics/GaussNewton.h>
 
 #include <array>
 #include <cmath>
