@@ -5,6 +5,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <fstream>
+#include <iterator>
+#include <string>
+
 using namespace antinode;
 
 TEST_CASE ("A state read and written again is the same text", "[session]")
@@ -49,4 +53,22 @@ TEST_CASE ("A state that is none says where and why", "[session]")
     json["parameters"]["x"] = 1;
     json["muted_ceramics"] = { 65 };
     CHECK_THROWS_WITH (readState (json.dump()), Catch::Contains ("/muted_ceramics/0"));
+}
+
+TEST_CASE ("States of each role load as the versions before wrote them, and say the same when written again",
+           "[session]")
+{
+    const auto [name, role] = GENERATE (table<std::string, SessionRole> (
+        { { "foci", SessionRole::foci }, { "fingers", SessionRole::fingers }, { "plate", SessionRole::plate } }));
+    CAPTURE (name);
+    std::ifstream file (ANTINODE_TEST_DATA "/States/" + name + ".json");
+    const std::string text { std::istreambuf_iterator<char> (file), {} };
+    const auto state = readState (text, role);
+    CHECK ((state.focus == nullptr) == (role == SessionRole::plate));
+    CHECK (state.following.isOn() == (role != SessionRole::plate));
+    CHECK (nlohmann::json::parse (stateToText (state, role)) == nlohmann::json::parse (text));
+
+    for (const auto other : { SessionRole::foci, SessionRole::fingers, SessionRole::plate })
+        if (other != role)
+            CHECK_THROWS_WITH (readState (text, other), Catch::Contains ("schema"));
 }
