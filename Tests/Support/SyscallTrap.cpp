@@ -5,6 +5,7 @@
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <ucontext.h>
+#include <unistd.h>
 
 #ifndef PR_SET_SYSCALL_USER_DISPATCH
 #define PR_SET_SYSCALL_USER_DISPATCH 59
@@ -23,8 +24,13 @@ void onSystemCall (int, siginfo_t* info, [[maybe_unused]] void* context)
     selector = allow; // The handler's own return is a system call.
 
 #if defined(__x86_64__)
-    // The call seems interrupted: who asks tries again. Any other result of a futex makes the C library abort.
-    static_cast<ucontext_t*> (context)->uc_mcontext.gregs[REG_RAX] = -EINTR;
+    // The call is made after all: a lock whose release was left out would belong to a thread that is gone.
+    auto& registers = static_cast<ucontext_t*> (context)->uc_mcontext.gregs;
+    const auto errorBefore = errno;
+    const auto result = syscall (info->si_syscall, registers[REG_RDI], registers[REG_RSI], registers[REG_RDX],
+                                 registers[REG_R10], registers[REG_R8], registers[REG_R9]);
+    registers[REG_RAX] = result == -1 ? -errno : result;
+    errno = errorBefore;
 #endif
 
     if (caught < 0)
