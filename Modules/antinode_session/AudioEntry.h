@@ -15,7 +15,7 @@
 namespace antinode
 {
 /** Where the audio thread enters a session: triggers in, the path that plays, meters out. The session's thread gives it
-   paths, by one atomic exchange, and outlives the session if need be, so both share it. */
+   paths, by one atomic exchange. */
 class AudioEntry
 {
 public:

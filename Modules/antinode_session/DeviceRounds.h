@@ -159,8 +159,11 @@ protected:
         try
         {
             const WatchScope scope ([this] { return ! hasOtherDocument(); });
-            solved = makeModel (*present.device);
-            present.model = withAmplifiers (solved, amplifiers);
+            auto made = makeModel (*present.device);
+            auto volts = askedAmplifiers();
+            present.model = withAmplifiers (made, volts);
+            solved = std::move (made);
+            amplifiers = std::move (volts);
             present.error.clear();
             isModelNew = true;
             then();
@@ -174,31 +177,34 @@ protected:
             present.error = failure.what();
         }
 
-        present.isSolving = false;
+        endSolving();
+        present.isSolving = hasOtherDocument(); // Which the next round solves.
         publish();
     }
 
     /** A path has limits of its own: another one is built where these change. */
     void takeAmplifiers()
     {
-        {
-            const std::lock_guard lock (mutex);
+        auto wanted = askedAmplifiers();
 
-            if (amplifiers == wantedAmplifiers)
-                return;
-
-            amplifiers = wantedAmplifiers;
-        }
-
-        if (solved == nullptr)
+        if (solved == nullptr || wanted == amplifiers)
             return;
 
-        if (auto made = withAmplifiers (solved, amplifiers); voltageLimits (*made) != voltageLimits (*present.model))
+        auto made = withAmplifiers (solved, wanted);
+        amplifiers = std::move (wanted);
+
+        if (voltageLimits (*made) != voltageLimits (*present.model))
         {
             present.model = std::move (made);
             isModelNew = true;
             publish();
         }
+    }
+
+    std::vector<double> askedAmplifiers() const
+    {
+        const std::lock_guard lock (mutex);
+        return wantedAmplifiers;
     }
 
     void publish()
@@ -217,6 +223,9 @@ protected:
 
     /** Whether what was asked for plays. Under the lock. */
     virtual bool isPlayable() const { return true; }
+
+    /** Called before it is said that solving has ended, however it did. */
+    virtual void endSolving() {}
 
     /** Completes `present` before it is published. */
     virtual void describe() {}

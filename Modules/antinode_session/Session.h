@@ -144,6 +144,7 @@ private:
 
     bool isMoreAsked() const override { return asked.focus != nullptr || ! asked.touches.empty(); }
     bool isPlayable() const override { return designs.designed > 0 || designs.wanted == 0; }
+    void endSolving() override { setProgress ({}); } // It belongs to the device before.
     void describe() override;
     std::shared_ptr<const FocusDocument> newestFocus() const;
     void await (std::optional<std::vector<int>> places);

@@ -98,8 +98,8 @@ void Session::setProgress (const DesignProgress& progress)
 /** One round: what was loaded, then what the parameters say, then what was touched. */
 void Session::step (const Requests& wanted)
 {
-    takeAmplifiers();
     takeDocuments (wanted);
+    takeAmplifiers();
     deviceFollowing.take (present.model.get());
     takeFingers();
     takeGraphChoice (wanted);
@@ -138,7 +138,6 @@ void Session::takeDocuments (const Requests& wanted)
     if (! wanted.hasDevice)
         return;
 
-    setProgress ({}); // It belongs to the previous device.
     solve (solvedForFoci,
            [&]
            {
@@ -176,6 +175,10 @@ void Session::chooseFocus()
     catch (const Cancelled&)
     {
         checkWatch();
+    }
+    catch (const std::exception&)
+    {
+        // The focus of the device before stays: what is wrong with it on this one is said where it is designed.
     }
 }
 

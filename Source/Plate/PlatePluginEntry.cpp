@@ -1,4 +1,5 @@
 #include "PlateProcessor.h"
+
 #include <Processor/CeramicsAtFirst.h>
 
 #ifndef ANTINODE_LV2_CERAMICS

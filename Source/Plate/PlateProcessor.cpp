@@ -1,5 +1,7 @@
 #include "PlateProcessor.h"
 
+#include "PlateEditor.h"
+
 #include <utility>
 
 namespace antinode
@@ -62,5 +64,10 @@ void PlateProcessor::playBlock (const AudioBlock<float>& block, bool isBypassed)
 void PlateProcessor::playBlock (const AudioBlock<double>& block, bool isBypassed)
 {
     playSurface (block, isBypassed);
+}
+
+juce::AudioProcessorEditor* PlateProcessor::createEditor()
+{
+    return editorAsLeft<PlateContent> (*this).release();
 }
 } // namespace antinode

@@ -114,7 +114,7 @@ void AntinodeProcessor::setState (const SessionState& wanted, bool isRestored)
                isOtherFocus = ! sayTheSame (*wanted.focus, *keptFocus());
     {
         const juce::ScopedLock lock (documents);
-        keep (wanted.device);
+        loadedDevice = wanted.device;
         loadedFocus = wanted.focus;
 
         // Whoever put touches down sees which of them fit beside the fingers of another focus.

@@ -82,10 +82,10 @@ private:
     void putDown (const std::vector<Finger>& own, const std::vector<Finger>& touching);
 
     std::unique_ptr<Parameters> controls;
-    std::unique_ptr<SessionThread<Session>> player;
     std::atomic<std::uint64_t> mutedCeramics { 0 };
     std::shared_ptr<const FocusDocument> loadedFocus,
-        touchedFocus; ///< As it is kept, and with touches; under `documents`.
+        touchedFocus;                               ///< As it is kept, and with touches; under `documents`.
+    std::unique_ptr<SessionThread<Session>> player; ///< Ends first: its thread asks for all above.
 };
 
 /** The embedded demonstrator: the initial state. [worker] */

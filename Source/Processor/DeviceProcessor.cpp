@@ -42,8 +42,8 @@ juce::AudioProcessor::BusesProperties DeviceProcessor::properties (const Buses& 
 DeviceProcessor::DeviceProcessor (const Buses& busesToHave, WrapperType wrapperToUse, SessionRole roleToPlay,
                                   std::shared_ptr<const DeviceDocument> first)
     : AudioProcessor (properties (busesToHave, wrapperToUse)),
-      VST3Extensions (static_cast<juce::AudioProcessor&> (*this)), buses (busesToHave), wrapper (wrapperToUse),
-      role (roleToPlay), loadedDevice (std::move (first))
+      VST3Extensions (static_cast<juce::AudioProcessor&> (*this)), loadedDevice (std::move (first)),
+      buses (busesToHave), wrapper (wrapperToUse), role (roleToPlay)
 {
 }
 

@@ -128,7 +128,8 @@ protected:
     /** Another device is the loaded one; warnings of a state are over. [any but the audio thread] */
     void keep (std::shared_ptr<const DeviceDocument>);
 
-    mutable juce::CriticalSection documents; ///< For what is loaded.
+    mutable juce::CriticalSection documents; ///< For what is loaded, as the next line.
+    std::shared_ptr<const DeviceDocument> loadedDevice;
 
 private:
     virtual void prepareSession (double sampleRate) = 0;
@@ -158,8 +159,7 @@ private:
     MidiTriggers triggers { VelocityCurve {} };
     juce::CriticalSection latencyReports; ///< One at a time.
     DescribedModel describedModel;
-    double toldTail = 0; ///< s; of the message thread.
-    std::shared_ptr<const DeviceDocument> loadedDevice;
-    juce::String stateWarning;
+    double toldTail = 0;       ///< s; of the message thread.
+    juce::String stateWarning; ///< Under `documents`.
 };
 } // namespace antinode

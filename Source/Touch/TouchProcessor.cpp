@@ -1,5 +1,7 @@
 #include "TouchProcessor.h"
 
+#include "TouchEditor.h"
+
 #include <antinode_base/InputError.h>
 
 #include <algorithm>
@@ -210,5 +212,10 @@ TouchSettings TouchProcessor::readSettings()
 
     reportSteps();
     return now;
+}
+
+juce::AudioProcessorEditor* TouchProcessor::createEditor()
+{
+    return editorAsLeft<TouchContent> (*this).release();
 }
 } // namespace antinode

@@ -87,7 +87,7 @@ private:
 
     std::unique_ptr<TouchParameters> controls;
     std::unique_ptr<NetworkFingers> touches;
-    std::unique_ptr<SessionThread<TouchSession>> player;
     std::atomic<std::size_t> lookedLatency { 0 }; ///< What the session saw last.
+    std::unique_ptr<SessionThread<TouchSession>> player;
 };
 } // namespace antinode

@@ -211,6 +211,50 @@ TEST_CASE ("A device that cannot be solved leaves the old one playing, and says 
     CHECK (played.play (2400, { spotPlayed }).topRows (8).isApprox (before.topRows (8)));
 }
 
+TEST_CASE ("While another device is solved with other amplifiers, what is said stays that of the one that plays",
+           "[session]")
+{
+    const auto device = test::deviceNamed ("staple");
+    const auto focus = test::focusNamed ("demonstrator");
+    const auto settings = settingsFromFocus (focus.description, deviceExtent (device.description), {});
+    std::atomic<Session*> asked { nullptr };
+    std::atomic<int> othersSaid { 0 }, forgotten { 0 }, solvings { 0 };
+    const auto look = [&]
+    {
+        auto* const session = asked.load();
+
+        if (session == nullptr)
+            return;
+
+        const auto now = session->snapshot();
+
+        // Both come with the next round: a device, and limits.
+        if (now->isSolving && ++solvings == 1)
+        {
+            session->setAmplifiers (std::vector<double> (8, 60));
+            session->load (std::make_shared<const DeviceDocument> (test::deviceNamed ("beam")), nullptr);
+        }
+
+        // Of the tail that hosts are told of.
+        forgotten += now->isSolving && solvings == 1 && ! (session->progress().endSeconds > 0) ? 1 : 0;
+        othersSaid += ! now->isSolving && now->model->name != now->device->description.name ? 1 : 0;
+    };
+    SessionThread<Session> session (
+        device, focus, [&] { return settings; }, look);
+    session->prepare (rate);
+    session->waitUntilSettled();
+    REQUIRE (session->progress().endSeconds > 0);
+    asked = &*session;
+    session->load (std::make_shared<const DeviceDocument> (test::deviceNamed ("phone")), nullptr);
+    session->waitUntilSettled();
+    session->waitUntilSettled();
+    CHECK (session->snapshot()->device->description.name == "beam");
+    CHECK (solvings >= 2);
+    CHECK (forgotten == 0);
+    CHECK (othersSaid == 0);
+    CHECK (voltageLimits (*session->snapshot()->model).maxCoeff() <= 60);
+}
+
 TEST_CASE ("A touch is designed at its own place and fired, a place off the surface is not", "[session]")
 {
     test::PlayedSession played;
