@@ -195,23 +195,4 @@ LineChart parallelCoordinates (const SweepTable& table)
     chart.yRange = AxisRange { 0, 1 };
     return chart;
 }
-
-BarChart indexBars (const ColumnSummary& column, const SweepPlan& plan)
-{
-    const auto count = static_cast<Eigen::Index> (column.indices.size());
-    BarChart chart;
-    chart.xLabel = "key";
-    chart.yLabel = "share of the variance";
-    chart.series = { { "first order", Eigen::VectorXd (count) }, { "total", Eigen::VectorXd (count) } };
-
-    for (Eigen::Index i = 0; i < count; ++i)
-    {
-        const auto index = static_cast<std::size_t> (i);
-        chart.categories.push_back (shortName (plan.vary[index].keys.front()));
-        chart.series[0].values[i] = column.indices[index].first.value;
-        chart.series[1].values[i] = column.indices[index].total.value;
-    }
-
-    return chart;
-}
 } // namespace antinode

@@ -16,7 +16,4 @@ HeatMap correlationMap (const SweepSummary&, const std::vector<std::string>& key
 
 /** A line per case through its keys and results, of some hundred cases at most. [worker] */
 LineChart parallelCoordinates (const SweepTable&);
-
-/** First order and total beside each other. [any] */
-BarChart indexBars (const ColumnSummary&, const SweepPlan&);
 } // namespace antinode

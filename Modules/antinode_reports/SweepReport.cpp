@@ -73,25 +73,6 @@ ReportTable resultTable (const SweepSummary& summary)
     return table;
 }
 
-std::string shareInWords (const EstimatedShare& share)
-{
-    return fixedText (share.value, 3) + " (" + fixedText (share.lower, 3) + " to " + fixedText (share.upper, 3) + ")";
-}
-
-ReportTable indexTable (const SweepSummary& summary, const SweepPlan& plan)
-{
-    ReportTable table { "Sobol' indices with 95 % confidence intervals by bootstrap",
-                        { "result", "key", "first order", "total" },
-                        {} };
-
-    for (const auto& column : summary.columns)
-        for (std::size_t i = 0; i < column.indices.size(); ++i)
-            table.rows.push_back ({ column.column, plan.vary[i].keys.front(), shareInWords (column.indices[i].first),
-                                    shareInWords (column.indices[i].total) });
-
-    return table;
-}
-
 /** The cases of least and largest value of each result. */
 ReportTable extremeTable (const SweepTable& table)
 {
@@ -193,27 +174,6 @@ ReportPage sweepReport (const SweepTable& table, const SweepSummary& summary)
         page.warnings.push_back (std::to_string (failed) + " cases failed; results.csv says why.");
 
     page.sections = { distributionSection (table, summary), dependenceSection (table, summary) };
-
-    if (plan.scheme == SweepScheme::saltelli)
-    {
-        ReportSection section;
-        section.heading = "Sensitivity";
-        section.paragraphs = {
-            "First order: the share of the variance that a key explains alone. Total: with all that it "
-            "does together with others."
-        };
-        section.tables.push_back (indexTable (summary, plan));
-
-        for (const auto& column : summary.columns)
-            if (! column.indices.empty())
-                section.figures.push_back ({ "Sobol' indices of " + column.column + ".",
-                                             {},
-                                             indexBars (column, plan),
-                                             reportFigureWidth,
-                                             280 });
-
-        page.sections.push_back (std::move (section));
-    }
 
     ReportSection extremes;
     extremes.heading = "Extreme cases";

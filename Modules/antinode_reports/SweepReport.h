@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-/** The report of a sweep: what varied, distributions, scatter, parallel coordinates, Sobol's indices where the plan
-   allows them, and the extreme cases with the command that repeats each. [worker] */
+/** The report of a sweep: what varied, distributions, scatter, parallel coordinates, and the extreme cases with the
+   command that repeats each. [worker] */
 ReportPage sweepReport (const SweepTable&, const SweepSummary&);
 } // namespace antinode

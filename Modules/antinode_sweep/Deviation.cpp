@@ -68,12 +68,6 @@ bool isDeviationKey (std::string_view name)
     return findKey (name) != nullptr;
 }
 
-bool isSpreadKey (std::string_view name)
-{
-    const auto* const key = findKey (name);
-    return key != nullptr && key->isSpread;
-}
-
 Deviation readDeviation (const std::vector<std::pair<std::string, nlohmann::json>>& assignments)
 {
     Deviation deviation;

@@ -29,9 +29,6 @@ struct Deviation
 std::vector<std::string_view> deviationKeys();
 bool isDeviationKey (std::string_view);
 
-/** Whether a key is of what is drawn for each mode or amplifier. [any] */
-bool isSpreadKey (std::string_view);
-
 /** A deviation from the keys that are among these. @throws InputError  for values that are not allowed [worker] */
 Deviation readDeviation (const std::vector<std::pair<std::string, nlohmann::json>>& assignments);
 

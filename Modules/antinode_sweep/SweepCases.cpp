@@ -1,8 +1,6 @@
 #include "SweepCases.h"
 
-#include "Permutation.h"
 #include "Philox.h"
-#include "SobolSequence.h"
 
 #include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
@@ -14,46 +12,6 @@ namespace antinode
 {
 namespace
 {
-/** What random numbers are for, so that none serves twice. A plan has fewer dimensions than lie between two of them. */
-enum Stream : std::uint32_t
-{
-    shareStream = 0,
-    strataStream = 1 << 10, // four words a dimension
-    shiftStream = 1 << 12
-};
-
-std::uint32_t streamOf (Stream stream, std::size_t dimension)
-{
-    return stream + static_cast<std::uint32_t> (dimension);
-}
-
-/** Sobol's point moved by the seed's own shift, bit by bit, to the middle of its cell: never 0 or 1. */
-double shiftedSobol (const SweepPlan& plan, std::uint64_t point, std::size_t dimension)
-{
-    constexpr int halfWord = 32;
-    const auto shift =
-        static_cast<std::uint32_t> (randomBits (plan.seed, 0, streamOf (shiftStream, dimension)) >> halfWord);
-    const auto bits = sobolPoint (static_cast<std::uint32_t> (point), static_cast<int> (dimension)) ^ shift;
-    return (static_cast<double> (bits) + 0.5) * 0x1p-32;
-}
-
-/** Of the rows of one point: the first matrix, the second, then the first with one column of the second. */
-double saltelliShare (const SweepPlan& plan, std::uint64_t number, std::size_t dimension)
-{
-    const auto dimensions = plan.vary.size();
-    const auto block = number % (dimensions + 2);
-    const auto isSecond = block == 1 || block == dimension + 2;
-    return shiftedSobol (plan, number / (dimensions + 2), dimension + (isSecond ? dimensions : 0));
-}
-
-double stratifiedShare (const SweepPlan& plan, std::uint64_t number, std::size_t dimension)
-{
-    const auto stratum =
-        permuted (number, plan.cases, plan.seed, strataStream / 4 + static_cast<std::uint32_t> (dimension));
-    const auto within = randomUniform (plan.seed, number, streamOf (shareStream, dimension));
-    return std::min ((static_cast<double> (stratum) + within) / static_cast<double> (plan.cases), 1 - 0x1p-53);
-}
-
 /** The middle of the case's row among those of a dimension of a grid. */
 double gridShare (const SweepPlan& plan, std::uint64_t number, std::size_t dimension)
 {
@@ -66,21 +24,8 @@ double gridShare (const SweepPlan& plan, std::uint64_t number, std::size_t dimen
 
 double shareOf (const SweepPlan& plan, std::uint64_t number, std::size_t dimension)
 {
-    switch (plan.scheme)
-    {
-        case SweepScheme::grid:
-            return gridShare (plan, number, dimension);
-        case SweepScheme::latinHypercube:
-            return stratifiedShare (plan, number, dimension);
-        case SweepScheme::sobol:
-            return shiftedSobol (plan, number, dimension);
-        case SweepScheme::saltelli:
-            return saltelliShare (plan, number, dimension);
-        case SweepScheme::random:
-            break;
-    }
-
-    return randomUniform (plan.seed, number, streamOf (shareStream, dimension));
+    return plan.scheme == SweepScheme::grid ? gridShare (plan, number, dimension)
+                                            : randomUniform (plan.seed, number, static_cast<std::uint32_t> (dimension));
 }
 } // namespace
 

@@ -1,7 +1,5 @@
 #include "SweepPlan.h"
 
-#include "Deviation.h"
-#include "SobolSequence.h"
 #include "SweptKeysReader.h"
 
 #include <antinode_base/InputError.h>
@@ -20,13 +18,19 @@ namespace
 constexpr std::string_view schema = "antinode.sweep/1";
 constexpr std::size_t longestText = 200, longestFileName = 4000, mostDimensions = 64, mostPoints = 100;
 
-constexpr WordList<SweepScheme, 5> schemeWords { { { "grid", SweepScheme::grid },
-                                                   { "random", SweepScheme::random },
-                                                   { "latin_hypercube", SweepScheme::latinHypercube },
-                                                   { "sobol", SweepScheme::sobol },
-                                                   { "saltelli", SweepScheme::saltelli } } };
+constexpr WordList<SweepScheme, 2> schemeWords { { { "grid", SweepScheme::grid }, { "random", SweepScheme::random } } };
 constexpr WordList<SweepEvaluation, 2> evaluationWords { { { "render", SweepEvaluation::render },
                                                            { "closed_form", SweepEvaluation::closedForm } } };
+
+SweepScheme readScheme (const JsonValue& value)
+{
+    for (const auto* moved : { "latin_hypercube", "sobol", "saltelli" })
+        if (value.text (longestText) == moved)
+            value.fail ("is " + inQuotes (moved)
+                        + "; allowed: grid, random; antinode.sampled of Python makes a plan with " + moved);
+
+    return value.choice (schemeWords);
+}
 
 /** All combinations. */
 std::uint64_t gridCases (const JsonValue& root, const SweepPlan& plan)
@@ -50,44 +54,13 @@ std::uint64_t gridCases (const JsonValue& root, const SweepPlan& plan)
 
 std::uint64_t readCases (const JsonObject& object, const JsonValue& root, const SweepPlan& plan)
 {
-    const auto isSaltelli = plan.scheme == SweepScheme::saltelli;
-    const auto* const key = isSaltelli ? "base_cases" : "cases";
+    if (plan.scheme == SweepScheme::random)
+        return static_cast<std::uint64_t> (object.required ("cases").integer (1, static_cast<int> (maximumSweepCases)));
 
-    for (const auto* other : { "cases", "base_cases" })
-        if (object.has (other) && (plan.scheme == SweepScheme::grid || std::string_view (other) != key))
-            root.fail (inQuotes (other)
-                       + " does not fit the scheme; allowed: 'base_cases' with saltelli, 'cases' with "
-                         "random, latin_hypercube and sobol, none of them with grid");
+    if (object.has ("cases"))
+        root.fail ("'cases' does not fit the scheme; allowed: with random only");
 
-    if (plan.scheme == SweepScheme::grid)
-        return gridCases (root, plan);
-
-    const auto blocks = isSaltelli ? plan.vary.size() + 2 : 1;
-    const auto most = maximumSweepCases / blocks;
-    return blocks * static_cast<std::uint64_t> (object.required (key).integer (1, static_cast<int> (most)));
-}
-
-void checkDimensions (const JsonValue& root, const SweepPlan& plan)
-{
-    const auto dimensions = plan.vary.size() * (plan.scheme == SweepScheme::saltelli ? 2 : 1);
-    const auto isSequence = plan.scheme == SweepScheme::saltelli || plan.scheme == SweepScheme::sobol;
-
-    if (isSequence && dimensions > sobolDimensions)
-        root.fail ("varies " + std::to_string (plan.vary.size()) + " things; allowed with this scheme: up to "
-                   + std::to_string (sobolDimensions * plan.vary.size() / dimensions));
-
-    if (plan.scheme == SweepScheme::saltelli && plan.vary.empty())
-        root.fail ("varies nothing; allowed with the scheme saltelli: one thing or more");
-
-    const auto isSpread = [] (const auto& assignment) { return isSpreadKey (assignment.first); };
-    const auto sweepsSpread = [] (const SweptKeys& swept)
-    { return std::any_of (swept.keys.begin(), swept.keys.end(), isSpreadKey); };
-
-    if (plan.scheme == SweepScheme::saltelli
-        && (std::any_of (plan.set.begin(), plan.set.end(), isSpread)
-            || std::any_of (plan.vary.begin(), plan.vary.end(), sweepsSpread)))
-        root.fail ("draws each mode's own deviation, to which the indices of saltelli cannot be traced; allowed: "
-                   "deviations that all modes share");
+    return gridCases (root, plan);
 }
 
 /** Keys are of the documents that the plan has. */
@@ -202,8 +175,8 @@ SweepPlan readSweepPlan (const nlohmann::json& document, const std::string& sour
     const JsonValue root (document, source);
     root.requireSchema (schema);
     const auto object =
-        root.object ({ "schema", "name", "description", "focus", "waveforms", "device", "seed", "cases", "base_cases",
-                       "scheme", "set", "vary", "evaluate", "record", "points_mm", "rate_Hz", "latency_ms" });
+        root.object ({ "schema", "name", "description", "focus", "waveforms", "device", "seed", "cases", "scheme",
+                       "set", "vary", "evaluate", "record", "points_mm", "rate_Hz", "latency_ms" });
     SweepPlan plan;
 
     if (const auto value = object.optional ("name"))
@@ -215,7 +188,7 @@ SweepPlan readSweepPlan (const nlohmann::json& document, const std::string& sour
     readPlayed (object, document, plan);
 
     if (const auto value = object.optional ("scheme"))
-        plan.scheme = value->choice (schemeWords);
+        plan.scheme = readScheme (*value);
 
     if (const auto value = object.optional ("seed"))
         plan.seed = static_cast<std::uint64_t> (value->integer (0, std::numeric_limits<int>::max()));
@@ -242,7 +215,6 @@ SweepPlan readSweepPlan (const nlohmann::json& document, const std::string& sour
 
     checkDocuments (root, plan);
     checkUnique (root, plan);
-    checkDimensions (root, plan);
     plan.cases = readCases (object, root, plan);
     readRecord (object, plan);
     return plan;

@@ -15,11 +15,8 @@ namespace antinode
 /** How the cases of a plan are spread over what varies. */
 enum class SweepScheme
 {
-    grid,           ///< All combinations of listed values, the first keys varying slowest.
-    random,         ///< Each case for itself.
-    latinHypercube, ///< As many equal shares of each distribution as there are cases, each share once.
-    sobol,          ///< Sobol's sequence, shifted by the seed.
-    saltelli        ///< Cases from which Sobol's indices follow: two matrices, and one with the other's columns.
+    grid,  ///< All combinations of listed values, the first keys varying slowest.
+    random ///< Each case for itself.
 };
 
 /** What a case is judged by. */

@@ -1,5 +1,6 @@
 #include "SweepSummary.h"
 
+#include "RankCorrelation.h"
 #include "SweepCases.h"
 
 #include <antinode_base/NumberText.h>
@@ -42,17 +43,7 @@ ColumnSummary columnSummary (const SweepTable& table, Eigen::Index column, const
     for (const auto& numbers : varied)
         summary.correlations.push_back (rankCorrelation (numbers, values));
 
-    const auto& plan = table.inputs.plan;
-
-    if (plan.scheme == SweepScheme::saltelli)
-        summary.indices = sobolIndices (values, plan.vary.size(), plan.seed);
-
     return summary;
-}
-
-nlohmann::ordered_json shareJson (const EstimatedShare& share)
-{
-    return { { "value", share.value }, { "lower_95", share.lower }, { "upper_95", share.upper } };
 }
 
 nlohmann::ordered_json columnJson (const ColumnSummary& column, const SweepPlan& plan)
@@ -74,10 +65,6 @@ nlohmann::ordered_json columnJson (const ColumnSummary& column, const SweepPlan&
 
     for (std::size_t k = 0; k < keys.size(); ++k)
         json["rank_correlation"][keys[k]] = column.correlations[k];
-
-    for (std::size_t i = 0; i < column.indices.size(); ++i)
-        json["sobol_indices"][plan.vary[i].keys.front()] = { { "first", shareJson (column.indices[i].first) },
-                                                             { "total", shareJson (column.indices[i].total) } };
 
     return json;
 }

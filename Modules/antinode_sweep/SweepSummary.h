@@ -1,6 +1,5 @@
 #pragma once
 
-#include "Sensitivity.h"
 #include "SweepTable.h"
 
 #include <array>
@@ -17,7 +16,6 @@ struct ColumnSummary
     double mean = 0, deviation = 0, minimum = 0, maximum = 0;
     std::array<double, 5> percentiles {}; ///< At tolerancePercents.
     std::vector<double> correlations;     ///< Of ranks, with each key that varies.
-    std::vector<SobolIndices> indices;    ///< Of each dimension of the plan, where its scheme is saltelli.
 };
 
 /** What a sweep says at a glance. */

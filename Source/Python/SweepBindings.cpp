@@ -193,7 +193,7 @@ void bindSwept (py::module_& module)
             "values", "N_c x N_r: what was recorded, in the units of ``columns``; NaN where a case has none. A view.",
             [](const Value& value) -> const auto& { return value.table.values; })
         .has ("errors", "The sentences of the cases (from 0) that could not be computed.", &errorsOf, "dict[int, str]")
-        .has ("summary", "All numbers of ``summary.json``: percentiles, correlations, Sobol's indices.",
+        .has ("summary", "All numbers of ``summary.json``: percentiles, correlations.",
               [] (const Value& value) { return Json { sweepToJson (value.table, value.summary).dump() }; })
         .does (
             "column(self, name: str) -> Floats",

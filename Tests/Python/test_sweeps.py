@@ -6,6 +6,7 @@ import pathlib
 import signal
 import threading
 
+import numpy as np
 import pytest
 
 import antinode as an
@@ -193,3 +194,83 @@ def test_ctrl_c_ends_a_sweep_and_its_parts_stay(tmp_path):
     with pytest.raises(KeyboardInterrupt):
         an.sweep(plan(100000), folder=tmp_path / "out")
     assert not (tmp_path / "out" / "summary.json").exists() and (tmp_path / "out" / "plan.json").exists()
+
+
+def varying(*entries):
+    return {"schema": "antinode.sweep/1", "focus": "demonstrator", "record": ["v_score"], "vary": list(entries)}
+
+
+def circle(name):
+    return {"key": f"device.{name}", "uniform": {"minimum": -np.pi, "maximum": np.pi}}
+
+
+def test_a_latin_hypercube_has_each_share_once_and_a_sobol_sequence_is_even():
+    two = varying(*({"key": f"focus.{name}", "uniform": {"minimum": 0, "maximum": 1}} for name in "ab"))
+    (listed,) = an.sampled(two, "latin_hypercube", 97)["vary"]
+    for column in np.transpose(listed["values"]):
+        assert sorted((column * 97).astype(int)) == list(range(97))
+    places = np.array(an.sampled(two, "sobol", 256)["vary"][0]["values"])
+    corners = np.stack(np.meshgrid(*[np.arange(1, 21) / 20] * 2), axis=-1).reshape(-1, 2)
+    inside = (places[None] < corners[:, None]).all(axis=2).mean(axis=1)
+    assert abs(inside - corners.prod(axis=1)).max() < 0.02  # Its order is log (N)^2 / N.
+
+
+def test_sampled_values_are_those_of_the_entries():
+    plan = an.sampled(
+        varying(
+            {"keys": ["focus.a", "device.b"], "normal": {"mean": 3, "standard_deviation": 1, "minimum": 2}, "times": [1, -2], "plus": [0, 7]},
+            {"keys": ["focus.c", "focus.d"], "values": [[1, "x"], [2, "y"]]},
+            {"key": "focus.e", "from": 0.1, "to": 100, "count": 4, "spacing": "logarithmic"},
+        ),
+        "sobol",
+        64,
+        seed=3,
+    )
+    (listed,) = plan["vary"]
+    assert listed["keys"] == ["focus.a", "device.b", "focus.c", "focus.d", "focus.e"] and plan["seed"] == 3
+    a, b, c, d, e = zip(*listed["values"])
+    assert np.allclose(b, 7 - 2 * np.array(a)) and min(a) >= 2 and np.median(a) == pytest.approx(3.1, abs=0.3)
+    assert set(zip(c, d)) == {(1, "x"), (2, "y")} and np.allclose(sorted(set(e)), [0.1, 1, 10, 100])
+    swept = an.sweep(an.sampled(plan_of_places(), "sobol", 8))
+    assert swept.keys == ["focus.targets.0.x_mm", "focus.allocation.method"] and len(swept.values) == 8
+
+
+def plan_of_places():
+    return {key: value for key, value in plan().items() if key not in ("scheme", "cases")}
+
+
+def test_indices_of_ishigamis_function_are_those_of_its_closed_form():
+    """Ishigami and Homma 1990: variances of the parts."""
+    a, b = 7, 0.1
+    first, second = 0.5 * (1 + b * np.pi**4 / 5) ** 2, a**2 / 8
+    both = b**2 * np.pi**8 * (1 / 18 - 1 / 50)
+    shares = {"x": (first, first + both), "y": (second, second), "z": (0, both)}
+    (listed,) = an.sampled(varying(*map(circle, shares)), "saltelli", 4096)["vary"]
+    x, y, z = np.transpose(listed["values"])
+    results = np.sin(x) + a * np.sin(y) ** 2 + b * z**4 * np.sin(x)
+    indices = an.sobol_indices(results, list(shares))
+    for key, expected in shares.items():
+        for order, share in zip(("first", "total"), np.array(expected) / (first + second + both)):
+            index = indices[key][order]
+            assert index["value"] == pytest.approx(share, abs=0.01)
+            assert index["lower_95"] <= share <= index["upper_95"] < index["lower_95"] + 0.15
+    results[3::400] = np.nan
+    assert an.sobol_indices(results, list(shares))["y"]["total"]["value"] == pytest.approx(indices["y"]["total"]["value"], abs=0.02)
+
+
+@pytest.mark.parametrize(
+    "make, part",
+    [
+        (lambda: an.sampled(varying(circle("x")), "even", 8), "saltelli"),
+        (lambda: an.sampled(varying(), "sobol", 8), "varies nothing"),
+        (lambda: an.sampled(varying(circle("x")), "saltelli", 100_000), "33333"),
+        (lambda: an.sampled(varying({"key": "focus.a"}), "sobol", 8), "says not"),
+        (lambda: an.sampled({**varying(circle("x")), "set": {"deviation.damping_spread_percent": 3}}, "saltelli", 8), "each mode's own"),
+        (lambda: an.sobol_indices(np.ones(30), ["x"]), "do not vary"),
+        (lambda: an.sobol_indices(np.ones(31), ["x"]), "multiple of 3"),
+    ],
+)
+def test_what_cannot_be_sampled_is_refused_in_a_sentence(make, part):
+    with pytest.raises(an.InputError, match="allowed") as refused:
+        make()
+    assert part in str(refused.value)

@@ -86,7 +86,7 @@ TEST_CASE ("Drawn devices have the percentiles of --tolerance", "[sweep]")
 TEST_CASE ("A case has the same bits whatever was computed before it", "[sweep]")
 {
     const TemporaryFolder folder;
-    const auto inputs = inputsOf (folder, R"("scheme": "sobol", "cases": 24, "evaluate": "closed_form",
+    const auto inputs = inputsOf (folder, R"("scheme": "random", "cases": 24, "evaluate": "closed_form",
         "record": ["v_score", "field_error", "peak_voltage_V"], "vary": [
             {"key": "focus.targets.0.x_mm", "uniform": {"minimum": 0, "maximum": 60}},
             {"key": "deviation.damping_percent", "normal": {"mean": 0, "standard_deviation": 10}}])");

@@ -1,11 +1,8 @@
-#include <antinode_sweep/Permutation.h>
 #include <antinode_sweep/Philox.h>
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <set>
-#include <vector>
 
 using namespace antinode;
 
@@ -40,36 +37,4 @@ TEST_CASE ("Random shares are even, and neighbours have nothing in common", "[sw
     CHECK (std::abs (sum / count) < 5 / std::sqrt (12.0) / root);
     CHECK (std::abs (squares / count - 1.0 / 12) < 5 / std::sqrt (180.0) / root);
     CHECK (std::abs (products / count) < 5.0 / 12 / root);
-}
-
-TEST_CASE ("A permutation is one to one for any count, and needs no other index", "[sweep]")
-{
-    for (const std::uint64_t count : { 1, 2, 3, 7, 64, 1000, 4097 })
-    {
-        std::set<std::uint64_t> seen;
-
-        for (std::uint64_t i = 0; i < count; ++i)
-            seen.insert (permuted (i, count, 5, 2));
-
-        CHECK (seen.size() == count);
-        CHECK (*seen.rbegin() == count - 1);
-    }
-
-    // Of 10^10 indices the 10^9th at once.
-    CHECK (permuted (1'000'000'000, 10'000'000'000, 1, 0) < 10'000'000'000);
-    CHECK (permuted (1'000'000'000, 10'000'000'000, 1, 0) != permuted (1'000'000'000, 10'000'000'000, 2, 0));
-}
-
-TEST_CASE ("Permutations of different seeds leave about one index in its place", "[sweep]")
-{
-    // Of random permutations the mean number of fixed points is 1, its variance too.
-    constexpr int permutations = 400;
-    constexpr std::uint64_t count = 50;
-    int fixed = 0;
-
-    for (int seed = 0; seed < permutations; ++seed)
-        for (std::uint64_t i = 0; i < count; ++i)
-            fixed += permuted (i, count, static_cast<std::uint64_t> (seed), 0) == i;
-
-    CHECK (fixed / static_cast<double> (permutations) == Approx (1).margin (5 / std::sqrt (permutations)));
 }

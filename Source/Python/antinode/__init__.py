@@ -11,7 +11,8 @@ their units as files do. Errors are InputError (a ValueError) and LimitError. Va
 plot() gives a figure of Matplotlib.
 
 Documents:  device, focus, waveforms: from a name, a file or a dict; names lists the embedded ones.
-Foci:       design, render (a design that is played), tolerance, tradeoff, map, sweep; perform: a waveform per finger.
+Foci:       design, render (a design that is played), tolerance, tradeoff, map; perform: a waveform per finger.
+Cases:      sweep, sampled (plans that cover what varies evenly), sobol_indices.
 Devices:    device(...).modes(), place (ceramics), import_device (finite elements).
 Benches:    excite, frf, measure (simulated), identify, retune, sensors, learn, follow.
 
@@ -60,6 +61,7 @@ from ._antinode import (
 )
 from ._documents import Device, Focus, Waveforms, device, focus, names, waveforms
 from ._pictures import set_theme
+from ._sampling import sampled, sobol_indices
 from ._sweeps import sweep
 from .errors import InputError, LimitError
 
@@ -103,8 +105,10 @@ __all__ = [
     "place",
     "render",
     "retune",
+    "sampled",
     "sensors",
     "set_theme",
+    "sobol_indices",
     "sweep",
     "tolerance",
     "tradeoff",
