@@ -82,7 +82,7 @@ void addCommands (CLI::App& app)
           { addExciteCommand, addMeasureCommand, addFrfCommand, addCalibrateCommand, addIdentifyCommand,
             addRetuneCommand, addHysteresisCommand } },
         { "Learn from plays", { addSensorsCommand, addLearnCommand, addFollowCommand } },
-        { "Study", { addMapCommand, addSweepCommand, addPaperCommand } },
+        { "Study", { addMapCommand, addSweepCommand } },
         { "About", { addVersionCommand } },
     };
 

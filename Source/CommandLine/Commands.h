@@ -16,7 +16,6 @@ void addRenderCommand (CLI::App&);
 void addPerformCommand (CLI::App&);
 void addSweepCommand (CLI::App&);
 void addMapCommand (CLI::App&);
-void addPaperCommand (CLI::App&);
 void addExciteCommand (CLI::App&);
 void addMeasureCommand (CLI::App&);
 void addFrfCommand (CLI::App&);

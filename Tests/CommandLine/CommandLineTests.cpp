@@ -22,7 +22,7 @@ TEST_CASE ("Help ends with 0, wrong usage with 2, bad input with 1 and one line"
 {
     CHECK (runProgram ({ "--help" }).exitCode == 0);
 
-    for (const auto* command : { "devices", "modes", "design", "render", "paper", "version" })
+    for (const auto* command : { "devices", "modes", "design", "render", "version" })
         CHECK (runProgram ({ command, "--help" }).exitCode == 0);
 
     CHECK (runProgram ({}).exitCode == 2);
