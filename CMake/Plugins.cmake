@@ -10,7 +10,7 @@ function (antinode_plugin target name ceramics uri code format entry editor is_s
     # A Debian patch of JUCE ignores the URI above.
     target_compile_definitions (${target} PUBLIC ANTINODE_LV2_CERAMICS=${ceramics} JucePlugin_LV2URI="${uri}")
     target_link_libraries (${target} PUBLIC ${editor})
-    # What its VST3 does not do: Docs/Decisions/0184-beyond-the-wrapper.md.
+    # What its VST3 does not do: Docs/Design/plugins.md.
     get_target_property (folder juce::juce_audio_plugin_client INTERFACE_JUCE_MODULE_PATH)
     set_source_files_properties (${folder}/juce_audio_plugin_client/juce_audio_plugin_client_VST3.cpp PROPERTIES
         COMPILE_OPTIONS "-include;${PROJECT_SOURCE_DIR}/Source/Processor/VST3Controller.h"

@@ -1,5 +1,5 @@
 # Precompiled headers, one set per family of targets: to read the headers of Eigen, JUCE, JSON and Catch2 was most of the cost of compiling.
-# Docs/Decisions/0039-build-time.md.
+# Docs/Design/build.md.
 option (ANTINODE_PRECOMPILED "Use precompiled headers" ON)
 # Several files of a target are compiled as one, so that what they all instantiate is compiled once. Scripts/check compiles each alone.
 option (ANTINODE_UNITY "Compile several files of a target together" ON)

@@ -10,7 +10,7 @@ namespace antinode
 /** A thread that does not keep its owner waiting. Where its work does not end soon after the owner goes, it ends by
    itself later: so the work owns all that it uses, by shared pointers. The program waits for such threads before it
    exits, and a library that is unloaded meanwhile stays in memory until they have ended.
-   Docs/Decisions/0043-nothing-blocks-the-host.md */
+   Docs/Design/session.md */
 class BackgroundThread
 {
 public:

@@ -24,7 +24,7 @@ std::vector<std::string> programArguments (int count, char** arguments);
 
 /** Lets this process keep the memory that it frees, up to 2 GB, instead of giving it back at once: large matrices come
     and go, and the system hands out their pages one by one. For programs, not for what is loaded into a host; where
-    the C library is not glibc it does nothing. [message thread] Docs/Decisions/0160-programs-keep-freed-memory.md */
+    the C library is not glibc it does nothing. [message thread] Docs/Design/engine.md */
 void keepFreedMemory();
 
 /** Whether standard error goes to a terminal, which shows a line that is written again and again. [any] */

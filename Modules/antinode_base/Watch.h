@@ -15,7 +15,7 @@ class Cancelled
 };
 
 /** As long as it lives, the work of the thread that made it looks at a watch, and at those of the scopes around it.
-    Docs/Decisions/0045-cancellation.md. [worker] */
+    Docs/Design/session.md. [worker] */
 class WatchScope
 {
 public:

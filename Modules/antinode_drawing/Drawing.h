@@ -22,7 +22,7 @@ struct DrawingChoice
    an SVG's page. Each line, arc or curve that is drawn is an edge of its own; they count from the outer path on.
     @param source  how errors name it
     @throws InputError  source, what is wrong, where, what is allowed
-    [worker] Docs/FileFormats.md, Docs/Decisions/0105-outlines-from-drawings.md */
+    [worker] Docs/FileFormats.md, Docs/Design/outlines.md */
 Outline outlineFromDrawing (std::string_view bytes, const std::string& source, const DrawingChoice&);
 
 /** The same, of a file. @throws InputError  as well where it cannot be read [worker] */

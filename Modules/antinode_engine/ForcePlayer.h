@@ -22,7 +22,7 @@ struct ForceStretch
 
     Voices take channels from a common stock while they play. Where a trigger finds too few of them, voices are cut
     for it, the one whose fade began first, else the oldest. Foci that need more channels than there are count
-    as empty. Docs/Decisions/0038-open-graph-and-plate.md. */
+    as empty. Docs/Design/engine.md. */
 class ForcePlayer : public FocusVoices
 {
 public:

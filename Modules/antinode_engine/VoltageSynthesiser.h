@@ -26,7 +26,7 @@ namespace antinode
     An oscillation Re[X e^{p tau}] is a phasor factored in two: X e^{p tau} at the first sample of a tile of 16, from
    exact tables (TilePhasors), times e^{p j / rate} from another one. So its error does not grow with time: below 1e-12
    of the envelope after 1 s at 192 kHz (where long double is wider than double). Instruction sets differ by as much.
-   Docs/Theory.md, section 6.1; Docs/Decisions/0015-kernels.md. */
+   Docs/Theory.md, section 6.1; Docs/Design/engine.md. */
 class VoltageSynthesiser
 {
 public:

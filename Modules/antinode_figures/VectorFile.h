@@ -17,6 +17,6 @@ enum class VectorFormat
    a page of 180 mm. Text stays text: the fonts are embedded. The same bytes for the same values on every run.
     @param width, height  pixels at scale 1, 16 to 8192
     @throws InputError    where a size is not allowed, or what draw() throws
-    [worker] Docs/Decisions/0052-figures-for-print.md */
+    [worker] Docs/Design/scores.md */
 std::string renderVector (const Chart&, int width, int height, VectorFormat);
 } // namespace antinode

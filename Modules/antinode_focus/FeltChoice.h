@@ -16,7 +16,7 @@ enum class FeltAt
 };
 
 /** What is felt elsewhere over the whole event counts in what a free waveform minimises.
-    Docs/Decisions/0075-focus-with-less-felt-elsewhere.md */
+    Docs/Design/allocation.md */
 struct FeltChoice
 {
     FeltAt at = FeltAt::everywhere;

@@ -14,11 +14,11 @@ struct ModeTrials
 };
 
 /** Whether a focus leaves the number of modes open, and more of them can need less voltage: with exact rows and
-   guards at the least norm. [any] Docs/Decisions/0047-number-of-modes.md */
+   guards at the least norm. [any] Docs/Design/drives.md */
 bool leavesModesOpen (const FocusDescription&);
 
 /** A focus with as many modes as a design of it controls, where it leaves their number open and the design has one
-    focus; else as it is. [any] Docs/Decisions/0178-the-same-number-of-modes.md */
+    focus; else as it is. [any] Docs/Design/estimation.md */
 FocusDescription withModesOf (FocusDescription, const FocusDesign&);
 
 /** A design with its program, where the number of modes is open: the fewest that capture 0.99, or more where these

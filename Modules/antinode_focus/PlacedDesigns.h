@@ -16,7 +16,7 @@ struct PlacedDesign
 /** Designs of one focus at many places by the least norm within exact rows. What does not depend on the place is
    computed once: the drive of each mode, its samples, the overlaps of drives, and the responses of all modes to them.
    A place then costs two small factorisations. The same choice of modes, guards and modes at rest as designWithin.
-    Docs/Decisions/0108-maps.md. */
+    Docs/Design/sweeps.md. */
 class PlacedDesigns
 {
 public:

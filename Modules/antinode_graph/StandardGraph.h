@@ -56,7 +56,7 @@ using InsertNodes = std::function<int (NodeGraph&, GraphPlace, int last)>;
 /** The same samples by separate nodes: forces, allocation, gains, limiter, plate.
     @param insert  called once for every place, in their order; may be empty
     @throws InputError  when sizes do not agree
-    [worker] Docs/Decisions/0038-open-graph-and-plate.md */
+    [worker] Docs/Design/engine.md */
 StandardGraph openGraph (const std::shared_ptr<const ModalModel>&, const PlayerSettings&,
                          const Eigen::MatrixXd& probeShapes, const InsertNodes& insert);
 } // namespace antinode

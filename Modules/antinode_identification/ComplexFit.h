@@ -11,7 +11,7 @@ namespace antinode
     @param fit       of real modes
     @param residues  free ones at its poles
     @param kind      becomes what the test decided; stays as it is where options decide
-    [worker] Docs/Decisions/0068-real-or-complex.md */
+    [worker] Docs/Design/identification.md */
 std::optional<FreeResidues> fitComplexModes (const NormalModeFit& fit, const FreeResidues& residues, PreparedResponses&,
                                              const IdentificationOptions&, ModeKind& kind);
 

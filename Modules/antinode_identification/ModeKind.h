@@ -30,7 +30,7 @@ std::optional<ModeKind> evidentlyReal (const NormalModeFit&, const FreeResidues&
    phases are not those of channels.
     @param realErrors, complexErrors  of the best fits of the same modes
     @param complexFit                 its free residues, behind the delay
-    [worker] Docs/Theory.md, section 8.4; Docs/Decisions/0068-real-or-complex.md */
+    [worker] Docs/Theory.md, section 8.4; Docs/Design/identification.md */
 ModeKind decideModeKind (const FitErrors& realErrors, const FitErrors& complexErrors, const FreeResidues& complexFit,
                          double delay, const PreparedResponses&);
 } // namespace antinode

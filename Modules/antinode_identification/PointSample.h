@@ -5,7 +5,7 @@
 namespace antinode
 {
 /** Points on which a range or a cause can be judged: all of them, or, of more than 24, as many spread evenly over
-   their numbers. [any] Docs/Decisions/0074-time-and-warnings-of-identification.md */
+   their numbers. [any] Docs/Design/identification.md */
 std::vector<Eigen::Index> samplePoints (const FrequencyResponses&);
 
 /** Only some of the points: a copy of their responses. [worker] */

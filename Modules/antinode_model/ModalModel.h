@@ -49,7 +49,7 @@ struct ModalModel
 };
 
 /** What a ceramic can be given, V: its own limit, or what a full-scale sample stands for where that is less, since no
-   output gives more. [any] Docs/Decisions/0046-full-scale-is-a-limit.md */
+   output gives more. [any] Docs/Design/allocation.md */
 double voltageLimit (const ModalModel&, std::size_t ceramic);
 
 /** The same of every ceramic: N_b, V. [any] */

@@ -5,7 +5,7 @@
 namespace antinode
 {
 // Dense kernels for complex matrices, by products of the real and imaginary parts.
-// Docs/Decisions/0041-decompositions.md.
+// Docs/Design/engine.md.
 
 /** a' b, a transposed and not conjugated. [worker] */
 Eigen::MatrixXcd productTransposedLeft (const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b);

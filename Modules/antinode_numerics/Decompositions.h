@@ -7,7 +7,7 @@
 namespace antinode
 {
 // What other rooms factor and solve by. Eigen's templates for it are compiled in this room alone: they take long.
-// Docs/Decisions/0041-decompositions.md.
+// Docs/Design/engine.md.
 
 /** The eigenvalues of a symmetric matrix, ascending.
     @param a  its lower triangle is used; finite

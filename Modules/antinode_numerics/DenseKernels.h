@@ -6,7 +6,7 @@ namespace antinode
 {
 // What the solution of plates and the allocation spend their time on, by the widest vectors of the processor it runs
 // on, on the thread that calls; any number of threads may. All matrices are column by column, a part of a larger one or
-// whole. Docs/Decisions/0036-dense-kernels.md.
+// whole. Docs/Design/engine.md.
 using MatrixIn = Eigen::Ref<const Eigen::MatrixXd>;
 using MatrixOut = Eigen::Ref<Eigen::MatrixXd>;
 

@@ -33,7 +33,7 @@ private:
     @param evaluate  gives the result of a case, on any thread
     @param show      may be empty
     @throws  what evaluate throws of the lowest case that threw; Cancelled, when a watch of this thread says no
-    [worker], on all cores. Docs/Decisions/0138-one-engine-for-cases.md. */
+    [worker], on all cores. Docs/Design/sweeps.md. */
 template <typename Result>
 std::vector<Result> evaluateCases (std::size_t count, const std::function<Result (std::size_t)>& evaluate,
                                    ShowCases show = {}, std::size_t threads = processorThreads())

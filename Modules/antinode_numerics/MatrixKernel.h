@@ -21,7 +21,7 @@ struct ProductTarget
 
 /** target += factor a b, a with `depth` columns, by the widest vectors of the processor. Panels of both are copied so
    that the innermost loop reads memory in order: 3 vectors by 4 columns (8 with 32 registers) are summed in registers.
-   Threads may call at once. [worker] Docs/Decisions/0036-dense-kernels.md. */
+   Threads may call at once. [worker] Docs/Design/engine.md. */
 void addProductInMemory (const ProductTarget&, std::ptrdiff_t depth, double factor, const MatrixInMemory& a,
                          const MatrixInMemory& b);
 

@@ -11,6 +11,6 @@ namespace antinode
     designs the target again does not know of them.
     @param own  the device's own modes, without fingers
     @throws InputError  where a track is longer than a focus may be
-    [worker] Docs/Decisions/0098-designs-in-the-plug-in.md */
+    [worker] Docs/Design/tracks.md */
 FocusDesign performedDesign (const PerformedWaveforms&, const ModalModel& own);
 } // namespace antinode

@@ -27,7 +27,7 @@ bool isMatlabLevel4 (std::string_view bytes);
 /** Variables of a MATLAB file of level 5 (versions 5 to 7, compressed or not, either byte order) or level 4. Arrays of
    numbers and text are read, with those in structures and cells; objects are named with their class; what else there is
    is left out. Files are read by our own code, not by libmatio, which takes memory by what a file says of itself
-   (Docs/Decisions/0030).
+   (Docs/Design/measurement.md).
     @param source  how errors name the file
     @throws InputError  when it is no such file or is damaged, or unpacks to more than 16 times its size and 16 MB
     [worker] MATLAB, MAT-File Format, The MathWorks. */

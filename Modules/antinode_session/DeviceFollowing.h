@@ -13,7 +13,7 @@
 namespace antinode
 {
 /** The drift of a session's device, as the session's thread uses it: who listens, what is known, and whether designs
-   are to be made again. All functions are of that thread. Docs/Decisions/0153-following-in-the-session.md */
+   are to be made again. All functions are of that thread. Docs/Design/session.md */
 class DeviceFollowing
 {
 public:

@@ -15,7 +15,7 @@
 namespace antinode
 {
 /** Follows the drift of a device that plays, window by window, on a thread of its own. It reads what the audio thread
-   writes to a tap; whoever plays asks for what is known and designs again. Docs/Decisions/0153. */
+   writes to a tap; whoever plays asks for what is known and designs again. Docs/Design/session.md. */
 class DriftFollower
 {
 public:

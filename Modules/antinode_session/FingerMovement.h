@@ -9,7 +9,7 @@
 namespace antinode
 {
 /** Where fingers were seen lately, and where those that move will be. One thread at a time.
-    Docs/Decisions/0130-fingers-are-foretold.md */
+    Docs/Design/fingers.md */
 class FingerMovement
 {
 public:

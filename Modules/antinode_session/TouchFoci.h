@@ -38,8 +38,7 @@ struct FociSurface
 
 /** The focus of a touch session, which notes play on top of the fingers' tracks: middle C at its own place, the others
     spread over the surface. A focus that was written before plays on every note. It is designed for the fingers of its
-    own document, and for those of the session where these rest. Docs/Decisions/0113-foci-in-touch.md,
-    0131-foci-know-resting-fingers.md */
+    own document, and for those of the session where these rest. Docs/Design/fingers.md */
 class TouchFoci
 {
 public:

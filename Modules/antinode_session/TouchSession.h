@@ -96,7 +96,7 @@ public:
     void setComparing (bool shouldCompare) { isComparing = shouldCompare; }
 
     /** What follows the drift of the device, and what is known: another sensor makes another path, and filters and foci
-        are designed for the device as it is. Docs/Decisions/0158-following-in-touch.md [any but the audio thread] */
+        are designed for the device as it is. Docs/Design/session.md [any but the audio thread] */
     FollowingRequests& following() const { return *followingRequests; }
 
     /** The voltage of a sample of 1.0 in the last block, V; 0 before the first one that plays. [any] */

@@ -16,7 +16,7 @@ ImmersedResolution coarserThan (ImmersedResolution resolution)
     return resolution;
 }
 
-/** What Nitsche's penalty leaves on cells of any size: measured, Docs/Decisions/0116-errors-of-outlined-plates.md. */
+/** What Nitsche's penalty leaves on cells of any size: measured, Docs/Design/outlines.md. */
 double leftByPenalty (const BendingProblem& problem)
 {
     constexpr double rounding = 1e-9, ofDisplacement = 2e-8, ofSlope = 5e-7;

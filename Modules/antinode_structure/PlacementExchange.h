@@ -24,7 +24,7 @@ std::vector<CeramicDescription> chosenCeramics (const PlacementCandidates&, cons
     @param show      hears of each candidate how far the work is, 0 to 1, from any thread, one at a time
     @return          ascending
     @throws Cancelled  as checkWatch()
-    [worker], on all cores. Docs/Decisions/0053-places-by-outcome.md, 0138-one-engine-for-cases.md. */
+    [worker], on all cores. Docs/Design/structure.md, Docs/Design/sweeps.md. */
 std::vector<Eigen::Index> exchangeNeighbours (const PlacementCandidates&, std::vector<Eigen::Index> chosen,
                                               const PlacementCost&, const PlacementNews& news = {},
                                               const std::function<void (double)>& show = {});

@@ -7,6 +7,6 @@ namespace antinode
 /** The modes that skin may feel, those below 3 kHz and at least 24, on a grid with half as many places in each
    direction.
     @throws nothing
-    [worker] Docs/Decisions/0108-maps.md. */
+    [worker] Docs/Design/sweeps.md. */
 ModalModel feltModes (const ModalModel&);
 } // namespace antinode

@@ -51,7 +51,7 @@ struct FocusMap
     @param wide  the device with modes beyond its own
     @param show  called now and then with how many places are done, by one thread at a time
     @throws InputError  where the focus cannot be mapped at all; Cancelled as checkWatch()
-    [worker] Docs/Decisions/0108-maps.md. */
+    [worker] Docs/Design/sweeps.md. */
 FocusMap mapFocus (const WideModel& wide, const FocusDescription&, const MapOptions&,
                    const std::function<void (int done, int all)>& show = {});
 

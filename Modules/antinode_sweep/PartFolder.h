@@ -24,7 +24,7 @@ SweepShard readShard (const std::string& text);
 
 /** A folder that keeps the parts of many cases that have been computed. Any number of processes, also on other
    computers, may fill it at once, and may be killed at any moment: a part is there whole or not at all.
-    Docs/Decisions/0107-sweeps.md. */
+    Docs/Design/sweeps.md. */
 class PartFolder
 {
 public:

@@ -13,7 +13,7 @@ namespace antinode
     @param progress  0 to 1 of what was missing, from any thread, one at a time
     @throws InputError  as evaluateTolerance, and when the folder cannot be written
     @throws Cancelled   when a watch of this thread says no; parts that are finished stay
-    [worker], on all cores. Docs/Decisions/0138-one-engine-for-cases.md. */
+    [worker], on all cores. Docs/Design/sweeps.md. */
 Tolerance resumableTolerance (const std::filesystem::path& folder, const ModalModel&, const FocusDesign&,
                               const ToleranceOptions&, const std::function<void (double)>& progress);
 } // namespace antinode

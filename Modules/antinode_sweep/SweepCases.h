@@ -17,7 +17,7 @@ std::vector<std::string> sweepColumns (const SweepPlan&);
 
 /** Those that are drawn: one share between 0 and 1 for each dimension of the plan, where its scheme puts the case.
     @param number  below plan.cases
-    [any] Docs/Decisions/0107-sweeps.md. */
+    [any] Docs/Design/sweeps.md. */
 std::vector<double> caseShares (const SweepPlan&, std::uint64_t number);
 
 /** The values of all keys that vary, in the order of sweptKeys. They depend on the plan and the number only.

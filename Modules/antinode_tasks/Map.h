@@ -14,7 +14,7 @@ namespace antinode
 {
 inline constexpr TaskText mapText {
     "map", "Designs a focus at every place of a surface: where it is sharp, what it needs, how it is felt",
-    "Docs/Decisions/0108-maps.md; Docs/Theory.md, section 6"
+    "Docs/Design/sweeps.md; Docs/Theory.md, section 6"
 };
 
 /** A focus whose first target goes to every place of a device; the others stay as far from it as they are. */

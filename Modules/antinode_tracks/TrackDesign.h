@@ -69,7 +69,7 @@ public:
     double bound; ///< For that share, no voltages of any form do with less than this share of the limits.
 };
 
-/** Designs waveforms at touched points. Docs/Theory.md, section 4.13; Docs/Decisions/0073-a-waveform-per-finger.md.
+/** Designs waveforms at touched points. Docs/Theory.md, section 4.13; Docs/Design/tracks.md.
     @param progress  may be empty
     @param shift     the design is for what was predicted and what is missing, as far as voltages can well bring it:
                      of that only the band counts, and less and less to half of its lower and twice its upper end

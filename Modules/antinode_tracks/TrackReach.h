@@ -22,6 +22,6 @@ struct TrackReach
     @param work       at its own rate; where what is played passes the limits between samples, it goes on at that rate
     @param unlimited  the least-norm voltages
     @throws Cancelled  when a watch of this thread says no
-    [worker] Docs/Decisions/0076-the-least-peak.md. */
+    [worker] Docs/Design/tracks.md. */
 TrackReach reachOf (const ModalModel&, const WaveformsDescription&, TrackWork& work, const TrackSolution& unlimited);
 } // namespace antinode

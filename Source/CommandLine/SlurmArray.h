@@ -19,7 +19,7 @@ struct SlurmArray
     bool usesCache = true;
 };
 
-/** The script of each task. [any] Docs/Decisions/0119-clusters.md. */
+/** The script of each task. [any] Docs/Design/sweeps.md. */
 std::string slurmScript (const SlurmArray&);
 
 /** Where that script is kept. [any] */
@@ -41,6 +41,6 @@ std::string slurmListing (const std::string& job);
     @param show  called now and then with how many parts are left, and whether Slurm answers
     @throws InputError  when Slurm refuses the array or is not there, or arrays end without a part
     @throws Cancelled   when a watch of this thread says no; the array goes on
-    [worker] Docs/Decisions/0119-clusters.md. */
+    [worker] Docs/Design/sweeps.md. */
 void computeBySlurm (const PartFolder&, const SlurmArray&, const std::function<void (std::size_t, bool)>& show);
 } // namespace antinode

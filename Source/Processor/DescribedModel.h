@@ -12,7 +12,7 @@ struct ModalModel;
 
     Hosts read the texts themselves when they have made a plug-in, and are told of others only once they have prepared
     it. Before that JUCE's VST3 may still be adding its parameters on a thread of the host's, to the list that such a
-    message would walk (decision 175). */
+    message would walk (Docs/Design/plugins.md). */
 class DescribedModel
 {
 public:

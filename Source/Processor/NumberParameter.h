@@ -23,7 +23,7 @@ struct ParameterRange
 
 /** A continuous parameter. It keeps its value in double precision: so both the share that a host sets and the value
    that a state keeps are given back to the bit, which juce::AudioParameterFloat does with neither.
-   Docs/Decisions/0044-read-back.md */
+   Docs/Design/plugins.md */
 class NumberParameter : public juce::RangedAudioParameter
 {
 public:

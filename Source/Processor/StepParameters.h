@@ -74,7 +74,7 @@ private:
 bool hasSteps (const juce::AudioProcessorParameter&);
 
 /** Hosts keep what they have set. Where that lay between two steps of a parameter, this tells them which step it took.
-    Docs/Decisions/0044-read-back.md */
+    Docs/Design/plugins.md */
 class StepReports : private juce::AudioProcessorParameter::Listener
 {
 public:

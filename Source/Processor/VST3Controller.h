@@ -1,7 +1,7 @@
 #pragma once
 
 // Included before JUCE's VST3 wrapper and nowhere else (CMake/Plugins.cmake): its controller then derives from the one
-// below. Docs/Decisions/0184-beyond-the-wrapper.md
+// below. Docs/Design/plugins.md
 
 #if JucePlugin_Build_VST3
 

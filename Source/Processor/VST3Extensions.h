@@ -8,7 +8,7 @@ namespace antinode
 {
 /** What our VST3s do beyond JUCE's wrapper. That one writes past its buffers where a host hands over more samples than
    it has announced: here a longer block is played in parts. VST3 has no MIDI controllers, only parameters that hosts
-   send them to: here those that stop have one. Docs/Decisions/0184-beyond-the-wrapper.md */
+   send them to: here those that stop have one. Docs/Design/plugins.md */
 class VST3Extensions : public juce::VST3ClientExtensions
 {
 public:

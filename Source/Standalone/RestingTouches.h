@@ -30,7 +30,7 @@ enum class RestResult
 };
 
 /** Touches that rest on the surface as fingers. Each change of fingers is another path of what plays, so that they are
-    put down together and not too often. Docs/Decisions/0079-touches-as-fingers.md */
+    put down together and not too often. Docs/Design/fingers.md */
 class RestingTouches
 {
 public:

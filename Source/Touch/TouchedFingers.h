@@ -30,7 +30,7 @@ struct FingerMove
 
 /** Which finger each touch is. A touch of a number from 1 to 8 is the finger of that number, any other one the next
    that is free; a touch that finds none waits for one. However often touches move, of each only its last place counts.
-    Docs/Decisions/0097-touches-play-fingers.md */
+    Docs/Design/fingers.md */
 class TouchedFingers
 {
 public:

@@ -41,7 +41,7 @@ WaveformsDescription threePoints()
 }
 
 /** What the surface does, mode by mode from sample to sample: no transform, no filter. A static share, which a sum of
-   sines lacks, is left out on both sides; decision 0087 has devices that are judged with more modes. */
+   sines lacks, is left out on both sides; Docs/Results.md has devices that are judged with more modes. */
 TrackScores played (const ModalModel& judge, const TrackDesign& design)
 {
     const auto motion = playTracks (judge, design.description, design.voltages, 0.3);

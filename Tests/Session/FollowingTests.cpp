@@ -271,7 +271,7 @@ TEST_CASE ("Whatever the sensor says, outputs stay finite and within the limits,
     CHECK ((play.played.session.following().drift()->sensed.estimate.values == known->sensed.estimate.values));
 }
 
-// By hand, two minutes: Docs/Decisions/0153-following-in-the-session.md.
+// By hand, two minutes: Docs/Design/estimation.md.
 TEST_CASE ("A drift of one percent an hour while foci play", "[.following-drift]")
 {
     constexpr double perSecond = 0.01 / 3600, step = 3; // s

@@ -114,7 +114,7 @@ double printScores (TouchProcessor& processor, WaveformsDescription description,
 } // namespace
 
 // By hand: [.touch-resting], [.touch-moving] and [.touch-cost], on the device that ANTINODE_TOUCH_DEVICE says.
-// Docs/Decisions/0089-antinode-touch.md.
+// Docs/Design/plugins.md.
 TEST_CASE ("What fingers that rest feel of noise at the first of them", "[.touch-resting]")
 {
     const auto count = GENERATE (2, 3, 5), latency = GENERATE (0, 1, 2);

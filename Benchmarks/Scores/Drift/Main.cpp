@@ -16,7 +16,7 @@
 #include <ctime>
 #include <string>
 
-// How well a drift is followed from one idle ceramic, some minutes by hand: Docs/Decisions/0121-following-a-drift.md.
+// How well a drift is followed from one idle ceramic, some minutes by hand: Docs/Design/estimation.md.
 // Usage: antinode_drift_scores DEVICE SCATTER_PERCENT DRIFT_PERCENT_PER_HOUR JUMP_PERCENT WINDOWS TRIALS [FIRST_SEED
 // [MOST_MODES]]
 using namespace antinode;

@@ -1,11 +1,11 @@
-// The tables of Docs/Decisions/0074-time-and-warnings-of-identification.md: what is found in synthetic measurements,
-// how long that takes, and what each warning of a mode is worth.
+// What is found in synthetic measurements, how long that takes, and what each warning of a mode is worth:
+// Docs/Design/identification.md.
 //
 //     antinode_identification_scores SEED [measurements...]
 //     antinode_identification_scores SEED deviations [NUMBER]
 //
-// Without names all are taken. A single one shows its memory. The second form gives the table of
-// Docs/Decisions/0081-deviations-and-residual-terms.md: errors over stated deviations, over so many measurements.
+// Without names all are taken. A single one shows its memory. The second form gives errors over
+// stated deviations, over so many measurements.
 
 #include "Measurements.h"
 #include "Support/DeviationScore.h"

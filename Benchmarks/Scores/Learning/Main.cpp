@@ -23,7 +23,7 @@
 #include <numeric>
 #include <string>
 
-// The table of learning from plays, some minutes by hand: Docs/Decisions/0110-learning-from-plays.md.
+// Learning from plays, some minutes by hand: Docs/Results.md, Docs/Design/estimation.md.
 // Environment: KNOWS_DELAY=1 (else it is looked for up to 30 ms), CUBIC, RETUNE=1: after one measurement and retune,
 // UNSURE=1: by what `antinode learn` takes for unknown of shapes at sensors, gains and mixtures of modes,
 // REACH and BEYOND: highest frequency of the learner's model and of the bench's, by the highest known one. Usage:

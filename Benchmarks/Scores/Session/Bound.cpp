@@ -1,5 +1,5 @@
 // How near foci by least voltage come to what any waveform needs, and what they leave in modes beyond the known ones:
-// Docs/Decisions/0099-least-voltage-at-any-rate.md. `Scripts/bench voltage` runs it on all devices.
+// Docs/Design/allocation.md. `Scripts/bench voltage` runs it on all devices.
 //
 //     antinode_bound_scores device focus foci rate [key=value...]
 //

@@ -1,5 +1,5 @@
 // What places of a bank of samples cost, and how soon the first follows a limit that moves:
-// Docs/Decisions/0095-limits-that-move.md.
+// Docs/Design/allocation.md.
 //
 //     antinode_bank_scores device focus [places [limit in V...]]
 

@@ -1,5 +1,5 @@
-// The tables of Docs/Decisions/0073-a-waveform-per-finger.md: waveforms at seeded points of the embedded plates, judged
-// by a model of more modes than the design knows, in the time domain.
+// Waveforms at seeded points of the embedded plates, judged by a model of more modes than the design knows, in the time
+// domain: Docs/Design/tracks.md, Docs/Results.md.
 //
 //     antinode_track_scores exact|limits|fingers|passes|bench-passes|moving|live|quick|live-music|moving-live [layouts
 //     [devices...]]

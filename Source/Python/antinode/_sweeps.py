@@ -48,7 +48,7 @@ def sweep(
         InputError: the plan is wrong, a recorded key does not exist, or the folder is of another plan.
         KeyboardInterrupt: Ctrl+C; parts in ``folder`` stay.
 
-    Source: Docs/FileFormats.md, "Sweep"; Docs/Decisions/0120-sweeps-from-python.md.
+    Source: Docs/FileFormats.md, "Sweep"; Docs/Design/sweeps.md.
     """
     within("threads", threads, 1, 1024)
     if client is not None and threads is not None:
