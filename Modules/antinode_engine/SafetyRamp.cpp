@@ -33,6 +33,9 @@ double SafetyRamp::gain() const
 template <typename Sample>
 void SafetyRamp::process (Sample* const* channels, int channelCount, int count)
 {
+    if (left == 0 && end == 1) // As nearly always: armed, and no sample changes.
+        return;
+
     std::array<Sample, piece> gains;
 
     for (int done = 0; done < count;)
