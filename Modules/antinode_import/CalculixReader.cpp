@@ -204,7 +204,7 @@ private:
                 for (std::size_t column = 3; ! Lines::stripped (lines.columns (column, width)).empty(); column += width)
                     results.elements.back().nodes.push_back (indexOf (lines.integer (column, width)));
             else
-                lines.fail ("is no line of an element");
+                lines.fail ("is not a line of an element");
     }
 
     void readBlock()
@@ -258,7 +258,7 @@ private:
                 block.values.row (node) << values[0], values[1], values[2];
             }
             else if (key != "-5" && key != "-2")
-                lines.fail ("is no line of results");
+                lines.fail ("is not a line of results");
     }
 
     /** Modes by themselves; static steps with motion are displacements, those without are held: their forces count. */

@@ -131,7 +131,7 @@ ReportSection responseSection (const IdentificationResult& result)
     section.heading = "Measured and synthesised responses";
     section.paragraphs = { "Modes were fitted from " + inWords (result.modes.minimumFrequency) + " to "
                            + inWords (result.modes.maximumFrequency)
-                           + " Hz; all that was measured is shown. The phases are without the common delay; where "
+                           + " Hz; all measured lines are shown. The phases are without the common delay; where "
                              "the noise of a response is more than half of it, its phase is left out." };
 
     for (const auto& pair : strongestPairs (measured))

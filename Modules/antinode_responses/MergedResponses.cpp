@@ -52,8 +52,8 @@ bool completeQuantities (Responses& responses, const MeasurementOptions& options
     if (stated == responses.end() || silent == responses.end())
         return stated != responses.end();
 
-    remarks.push_back (silent->source + " does not say what was measured: taken as " + namedBeside (*stated, *silent)
-                       + " says.");
+    remarks.push_back (silent->source + " does not give the measured quantity: assumed to be that of "
+                       + namedBeside (*stated, *silent) + ".");
     const auto quantity = stated->unit.quantity;
 
     for (auto& response : responses)

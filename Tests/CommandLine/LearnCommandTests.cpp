@@ -232,7 +232,7 @@ TEST_CASE ("learn plays on a simulated bench until the focus is right, and write
     CHECK (isLearnt (summary));
     CHECK (summary["passes"][0]["latency_ms"].get<double>() == Approx (1.234567).margin (2e-3));
     const auto page = readContent (folder.path() / "learnt" / "report.html");
-    CHECK (page.find ("What the data could not tell") != std::string::npos);
+    CHECK (page.find ("What the data did not determine") != std::string::npos);
     CHECK (page.find ("From play to play") != std::string::npos);
 
     // Without the sync input the latency is found from the signals; with an idle ceramic beside the sensors.
