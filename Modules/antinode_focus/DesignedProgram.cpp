@@ -73,7 +73,7 @@ void sayWhatIsFelt (FocusDesign& design, const LessFelt& felt)
 
     if (felt.share == 1 && felt.weight < choice.weight)
         design.warnings.push_back ("The voltage limit allows the weight " + inWords (felt.weight)
-                                   + " of what is felt elsewhere, not " + inWords (choice.weight) + ".");
+                                   + " of the felt level elsewhere, not " + inWords (choice.weight) + ".");
 
     if (felt.share < 1)
         design.warnings.push_back ("The voltage limit leaves room for " + fixedText (100 * felt.share, 0)

@@ -34,7 +34,7 @@ double shapeError (const ModeOrigin& origin)
             break;
     }
 
-    // One point says nothing of shapes.
+    // One point gives no shapes.
     return origin.points < 2 ? drawnShapes : origin.unexplained;
 }
 

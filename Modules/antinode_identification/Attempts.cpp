@@ -66,7 +66,7 @@ std::optional<ChannelFilters> suspectedFilters (const FrequencyResponses& respon
 }
 
 /** Whether modes of responses without these low-passes are better, or real and as good: by misfit over noise, since
-   noise is amplified where a low-pass is taken off. */
+   noise is amplified where a low-pass is removed. */
 bool isWorthFiltering (const IdentifiedModes& modes, const IdentifiedModes& filtered)
 {
     constexpr double worth = 0.8, same = 1.1;

@@ -217,7 +217,7 @@ ReportTable fingerTable (const PerformedWaveforms& performed)
 ReportSection elsewhereSection (const PerformedWaveforms& performed)
 {
     ReportSection section;
-    section.heading = "What is felt elsewhere";
+    section.heading = "Felt level elsewhere";
     section.paragraphs = {
         fixedText (100 * performed.felt.feltShare, 0)
             + " % of the surface is felt. Below 1 kHz a plate has few modes: no area can be quiet, only the points "

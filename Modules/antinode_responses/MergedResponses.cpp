@@ -85,7 +85,7 @@ DriveQuantity commonDrive (const Responses& responses, const MeasurementOptions&
     return first;
 }
 
-/** Lines from high to low are turned round. */
+/** Lines from high to low are reversed. */
 void sortDescending (Responses& responses)
 {
     std::map<std::shared_ptr<const Eigen::VectorXd>, std::shared_ptr<const Eigen::VectorXd>> turned;

@@ -116,7 +116,7 @@ void printRanking (const std::vector<SeriesResult>& results, const RenderOfFocus
     std::printf ("All numbers: %s/scores.csv\n", options.folder.c_str());
 }
 
-/** Each focus into a folder of its own, and a table of all. What one of them cannot do does not stop the others. */
+/** Each focus into its own folder, and a table of all. What one of them cannot do does not stop the others. */
 void renderSeries (const RenderOfFocus& options, const std::vector<std::string>& assignments)
 {
     Progress progress (options.isQuiet);
