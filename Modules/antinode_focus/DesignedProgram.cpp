@@ -80,8 +80,9 @@ void sayWhatIsFelt (FocusDesign& design, const LessFelt& felt)
                                    + " % of the change that would make less felt elsewhere.");
 
     if (felt.residual > settled)
-        design.warnings.emplace_back ("Less could be felt elsewhere for as much voltage: the search stopped after "
-                                      + std::to_string (felt.iterations) + " steps.");
+        design.warnings.emplace_back (
+            "A lower felt level elsewhere is possible at the same voltage: the search stopped after "
+            + std::to_string (felt.iterations) + " steps.");
 }
 
 /** Says what least voltage came to, and what is proven of it.

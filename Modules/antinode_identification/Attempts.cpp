@@ -207,7 +207,7 @@ std::string sayRange (const FrequencyBand& band, const FrequencyResponses& respo
 
     if (band.maximum < responses.frequencies[responses.frequencies.size() - 1])
         text += std::string (text.empty() ? "" : "; ") + "lines above " + inWords (band.maximum)
-                + " Hz are left out: they hold noise";
+                + " Hz are left out: they contain noise";
 
     if (const auto outside = resonancesOutside (band, responses, options); ! outside.empty())
         text += "; what is left out has resonances at " + inHertz (outside);

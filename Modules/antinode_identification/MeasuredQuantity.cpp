@@ -195,7 +195,7 @@ Preference preferred (const QuantityFit& acceleration, const QuantityFit& displa
 
     for (const auto error : { &QuantityFit::physicalError, &QuantityFit::modalError })
         if (const auto gain = displacement.*error - acceleration.*error; std::abs (gain) > simpler)
-            return { gain > 0 ? &acceleration : &displacement, "it needs less residual terms" };
+            return { gain > 0 ? &acceleration : &displacement, "it needs fewer residual terms" };
 
     return { &acceleration, "it is measured more often" };
 }

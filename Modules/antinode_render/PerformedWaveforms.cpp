@@ -249,7 +249,7 @@ PerformedWaveforms judgeVoltages (const ModalModel& known, const ModalModel& jud
     design.voltages.firstTime = -static_cast<double> (alignment.begin) / settings.sampleRate;
 
     if (alignment.likeness < alike)
-        design.warnings.push_back ("What the fingers get is not like the tracks (correlation "
+        design.warnings.push_back ("The motion at the fingers does not resemble the tracks (correlation "
                                    + fixedText (alignment.likeness, 2)
                                    + "): check order, sign and scale of the channels, places and band.");
 

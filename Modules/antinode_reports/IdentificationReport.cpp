@@ -233,11 +233,12 @@ ReportSection numberSection (const IdentificationResult& result)
 {
     ReportSection section;
     section.heading = "Table of modes";
-    section.paragraphs = { "Values after a plus-minus sign are standard deviations: the larger of that from the noise "
-                           "in the responses and "
-                           "of that from what points and references disagree by. MPC (modal phase collinearity) is 1 "
-                           "if all points move in phase. One shape: the fraction of a mode's energy that one shape "
-                           "times one participation explains." };
+    section.paragraphs = {
+        "Values after a plus-minus sign are standard deviations: the larger of the effect of noise in the responses "
+        "and the disagreement of points and references. MPC (modal phase collinearity) is 1 "
+        "if all points move in phase. One shape: the fraction of a mode's energy that one shape "
+        "times one participation explains."
+    };
     auto table = modeTable (result);
     const auto warnings = warningColumn (result);
     table.header.emplace_back ("warnings");

@@ -316,7 +316,7 @@ Measurement mergedResponses (const std::vector<MeasurementFile>& files, const Me
 
     for (const auto& response : responses)
         if (response.frequencies->size() < 2 || response.values.size() != response.frequencies->size())
-            throw InputError (response.source, "has a response with less than two lines");
+            throw InputError (response.source, "has a response with fewer than two lines");
 
     sortDescending (responses);
 

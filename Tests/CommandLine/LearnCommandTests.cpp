@@ -132,7 +132,8 @@ TEST_CASE ("learn finds the frequencies of a drifted beam from one play of a foc
         { "--latency-ms", "3.1", "--frequency-percent", "0.05", "--recorded", (folder.path() / "pass1").string() }));
     CHECK (run.exitCode == 0);
     CHECK_THAT (run.output, Catch::Contains ("A frequency is more than 6 of its standard deviations off"));
-    CHECK_THAT (readContent (folder.path() / "doubted" / "report.html"), Catch::Contains ("deviations off the device"));
+    CHECK_THAT (readContent (folder.path() / "doubted" / "report.html"),
+                Catch::Contains ("deviations off the previous device"));
 }
 
 TEST_CASE ("learn knows when ceramics act that lag behind each other", "[command line][lag]")
