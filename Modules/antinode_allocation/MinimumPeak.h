@@ -38,8 +38,8 @@ struct MinimumPeak
 
 /** Feasible primal-dual interior-point steps with Mehrotra's predictor and corrector: 8 to 25 of them, with one
     symmetric system of N_r unknowns each. Every iterate has both sides, so the gap is that of what is returned.
-    Rows that depend on others to 1e-13 of their norm are met where the wanted values depend likewise; else upper is
-    infinite.
+    Rows that depend on others to 1e-13 of their norm are met where the wanted values depend in the same way; else upper
+   is infinite.
     @param tolerance  the gap asked for
     @param start      an answer for coarser columns that were split, samples handed on; none: the least norm
     @return           within the tolerance, or as far as rounding lets it: look at gap()

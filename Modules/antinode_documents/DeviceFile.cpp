@@ -68,7 +68,7 @@ nlohmann::json withWholeBase (nlohmann::json document, const std::string& source
             JsonValue (document, source)
                 .required ("base")
                 .required (key)
-                .fail ("stands in the base; allowed: in the device that has the base");
+                .fail ("is in the base; allowed: in the device that has the base");
 
     if (document.contains ("limits"))
         document["base"]["limits"] = document["limits"];

@@ -148,7 +148,7 @@ ViscoelasticMaterial readViscoelastic (const JsonValue& value)
                              object.required ("loss_factor").number (viscoelasticLoss) } };
 
     if (object.has ("loss_factor") && ! object.has ("shear_modulus_MPa"))
-        object.required ("loss_factor").fail ("stands beside 'table' or 'prony', which give the loss factor");
+        object.required ("loss_factor").fail ("is given with 'table' or 'prony', which define the loss factor");
 
     return material;
 }

@@ -150,7 +150,7 @@ void readModes (const JsonObject& device, const std::vector<Eigen::Index>& order
 void readStaticShare (const JsonValue& lists, const std::vector<Eigen::Index>& order, ModalModel& model)
 {
     if (model.hasComplexModes())
-        lists.fail ("is given beside complex modes; allowed: with real ones");
+        lists.fail ("is given with complex modes; allowed: with real ones");
 
     const auto ceramics = static_cast<std::size_t> (model.actuators());
     model.staticShare.resize (model.points(), model.actuators());

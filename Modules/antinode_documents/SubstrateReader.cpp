@@ -63,7 +63,7 @@ void readSubstrate (StructureCommon& common, const JsonObject& body)
     {
         for (const auto key : { "thickness_mm", "material" })
             if (const auto given = body.optional (key))
-                given->fail ("stands beside 'layers', which give it");
+                given->fail ("is given with 'layers', which define it");
 
         readLayers (common, *layers);
     }

@@ -80,7 +80,7 @@ void readPlace (const JsonObject& object, TouchedPoint& point)
     }
 
     if (object.has ("y_mm"))
-        object.fail ("has 'y_mm' beside 'path'; allowed: one of them");
+        object.fail ("has both 'y_mm' and 'path'; allowed: one of them");
 
     point.path = readPath (place);
     point.x = point.path.front().x;

@@ -53,9 +53,8 @@ std::array<double, 4> pageBox (const XmlNode& root, double unit, const std::stri
     if (unit > 0)
         return { 0, 0, 1, height.number().value_or (0) };
 
-    throw InputError (source,
-                      "has no viewBox, so that the size of its units is not known; allowed: a document in mm, or "
-                      "a unit beside the file's name");
+    throw InputError (source, "has no viewBox, so the size of its units is unknown; allowed: a document in mm, or "
+                              "a unit beside the file's name");
 }
 
 /** From the page in units of the drawing to m, y still downwards: as preserveAspectRatio says, in the middle. */
@@ -84,7 +83,7 @@ Eigen::Affine2d svgPage (const XmlNode& root, double unit, const std::string& so
         if (! width || ! height)
             throw InputError (source, "width is " + inQuotes (root.attribute ("width")) + " and height "
                                           + inQuotes (root.attribute ("height"))
-                                          + ", so that the size of its units is not known; allowed: mm, cm, m, in, pt, "
+                                          + ", so the size of its units is unknown; allowed: mm, cm, m, in, pt, "
                                             "pc or Q, or a unit beside the file's name");
 
         size = { *width, *height };

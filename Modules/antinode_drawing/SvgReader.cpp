@@ -181,7 +181,7 @@ private:
         const auto values = svgNumberList (node.attribute ("points"));
 
         if (! values || values->size() % 2 != 0)
-            throw InputError (nameOf (node), "points are no list of pairs of numbers; allowed: x,y x,y ...");
+            throw InputError (nameOf (node), "points are not a list of pairs of numbers; allowed: x,y x,y ...");
 
         if (values->size() < 4)
             return;

@@ -90,7 +90,7 @@ void addHiddenModes (FocusDesign& design, const ModalModel& model)
     design.warnings.push_back (
         "The " + std::to_string (model.points()) + " measured points are less than " + inWords (enoughPointsPerHalfWave)
         + " per half wave of the modes above mode " + std::to_string (shown)
-        + (asked ? ": between the points nobody knows what these do, and the field is off there."
+        + (asked ? ": between the points they are unknown, and the field is wrong there."
                  : ", which are left out; 'modes' with 'maximum_frequency_Hz' controls them, too, as they are at the "
                    "points."));
 }

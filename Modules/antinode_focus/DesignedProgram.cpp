@@ -73,15 +73,16 @@ void sayWhatIsFelt (FocusDesign& design, const LessFelt& felt)
 
     if (felt.share == 1 && felt.weight < choice.weight)
         design.warnings.push_back ("The voltage limit allows the weight " + inWords (felt.weight)
-                                   + " of what is felt elsewhere, not " + inWords (choice.weight) + ".");
+                                   + " of the felt level elsewhere, not " + inWords (choice.weight) + ".");
 
     if (felt.share < 1)
         design.warnings.push_back ("The voltage limit leaves room for " + fixedText (100 * felt.share, 0)
                                    + " % of the change that would make less felt elsewhere.");
 
     if (felt.residual > settled)
-        design.warnings.emplace_back ("Less could be felt elsewhere for as much voltage: the search stopped after "
-                                      + std::to_string (felt.iterations) + " steps.");
+        design.warnings.emplace_back (
+            "A lower felt level elsewhere is possible at the same voltage: the search stopped after "
+            + std::to_string (felt.iterations) + " steps.");
 }
 
 /** Says what least voltage came to, and what is proven of it.

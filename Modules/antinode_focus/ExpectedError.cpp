@@ -34,7 +34,7 @@ double shapeError (const ModeOrigin& origin)
             break;
     }
 
-    // One point says nothing of shapes.
+    // One point gives no shapes.
     return origin.points < 2 ? drawnShapes : origin.unexplained;
 }
 
@@ -72,7 +72,7 @@ std::string originInWords (const ModalModel& model, const FocusDesign& design)
     switch (origin.source)
     {
         case ModeSource::given:
-            return "the device does not say how its modes were found";
+            return "the device does not record how its modes were found";
         case ModeSource::measured:
             return "measured at " + points;
         case ModeSource::retuned:

@@ -15,7 +15,7 @@ enum class FeltAt
     places      ///< At places that are given.
 };
 
-/** What is felt elsewhere over the whole event counts in what a free waveform minimises.
+/** The felt level elsewhere over the whole event counts in what a free waveform minimises.
     Docs/Design/allocation.md */
 struct FeltChoice
 {

@@ -7,8 +7,8 @@
 
 namespace antinode
 {
-/** What is felt elsewhere of voltages and corrections: one column of 2 N_f values a row of the lines, whose squares add
-   up to the energy. N_f lines of frequency, N_p rows of the lines. [worker] Docs/Theory.md, section 4.14. */
+/** The felt level elsewhere of voltages and corrections: one column of 2 N_f values a row of the lines, whose squares
+   add up to the energy. N_f lines of frequency, N_p rows of the lines. [worker] Docs/Theory.md, section 4.14. */
 class FeltElsewhere
 {
 public:

@@ -10,7 +10,7 @@
 
 namespace antinode
 {
-/** What is felt elsewhere, line by line of frequency: the mean over places of the energy of the displacement in
+/** The felt level elsewhere, line by line of frequency: the mean over places of the energy of the displacement in
    thresholds over the whole event is the sum over lines and rows of |row (line)' U (line)|^2, s, where U (line) =
    integral U (t) exp (-j 2 pi f t) dt. There are as many rows as places, or as the mode shapes elsewhere need. */
 struct FeltLines

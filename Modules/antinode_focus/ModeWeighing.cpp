@@ -131,8 +131,8 @@ FocusDesign weighModes (const ModalModel& model, const ModeTrials& trials)
         auto& design = designs.front();
         design.weighing =
             isWhole
-                ? "These modes are the fewest that capture 0.99 of the wanted field. They need at "
-                  "most a quarter of the limit, so that more were not weighed."
+                ? "These modes are the fewest that capture 0.99 of the wanted field. They need at most a quarter of "
+                  "the limit, so more were not weighed."
                 : "All modes that the ceramics excite and the points show are controlled: together they capture less "
                   "than 0.99 of the wanted field, motion as a rigid body included.";
         return std::move (design);

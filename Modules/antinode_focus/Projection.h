@@ -23,7 +23,7 @@ struct ModeSelection
     double captured = 0;       ///< sqrt (S/K), 0 to 1.
 };
 
-/** What the modes capture together where a focus says nothing of them: sqrt (S/K). [any] */
+/** What the modes capture together where a focus does not choose them: sqrt (S/K). [any] */
 constexpr double defaultCapture()
 {
     return 0.99;

@@ -43,7 +43,7 @@ WideModel loadedByFingers (const WideModel& wide, const std::vector<Finger>& fin
     auto played = loadedModel (wide.model, fingers);
     auto designed = loadedModel (firstModes (wide.model, wide.known), knownFingers (fingers));
     const auto count = played.modes();
-    const auto sentence = "Not told apart: fingers mix the modes of the device with those beyond. Played are "
+    const auto sentence = "Not separable: fingers mix the modes of the device with those beyond. Played are "
                           + std::to_string (count) + " modes, to " + inWords (played.frequencyHz (count - 1)) + " Hz.";
     return { std::move (played), count, sentence, std::move (designed) };
 }

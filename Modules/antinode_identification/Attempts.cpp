@@ -66,7 +66,7 @@ std::optional<ChannelFilters> suspectedFilters (const FrequencyResponses& respon
 }
 
 /** Whether modes of responses without these low-passes are better, or real and as good: by misfit over noise, since
-   noise is amplified where a low-pass is taken off. */
+   noise is amplified where a low-pass is removed. */
 bool isWorthFiltering (const IdentifiedModes& modes, const IdentifiedModes& filtered)
 {
     constexpr double worth = 0.8, same = 1.1;
@@ -207,7 +207,7 @@ std::string sayRange (const FrequencyBand& band, const FrequencyResponses& respo
 
     if (band.maximum < responses.frequencies[responses.frequencies.size() - 1])
         text += std::string (text.empty() ? "" : "; ") + "lines above " + inWords (band.maximum)
-                + " Hz are left out: they hold noise";
+                + " Hz are left out: they contain noise";
 
     if (const auto outside = resonancesOutside (band, responses, options); ! outside.empty())
         text += "; what is left out has resonances at " + inHertz (outside);

@@ -24,7 +24,7 @@ using Complex = std::complex<double>;
 /** dB: by how much a cause must lower the error to be named, and how low it must be then. */
 constexpr double clearly = 4, fair = -15;
 
-/** A cause put right, and what is said of it. */
+/** A corrected cause, and what is said of it. */
 struct Remedy
 {
     std::function<Complex (const Complex& value, double omega, Eigen::Index column)> change;

@@ -142,7 +142,7 @@ std::string describe (const Eigen::VectorXd& timeConstants, Sharing sharing, con
 {
     if (sharing == Sharing::ofAll)
         return "a low-pass of first order at " + hertz (timeConstants[0])
-               + " (amplifier or sensor) is taken off all responses";
+               + " (amplifier or sensor) is removed from all responses";
 
     constexpr int most = 8;
     std::string text;
@@ -153,7 +153,7 @@ std::string describe (const Eigen::VectorXd& timeConstants, Sharing sharing, con
             text += (count > 1 ? ", " : "") + groupName (sharing, static_cast<std::size_t> (g), references) + " at "
                     + hertz (timeConstants[g]);
 
-    return "low-passes of first order are taken off the responses: " + text
+    return "low-passes of first order are removed from the responses: " + text
            + (count > most ? " and " + std::to_string (count - most) + " more" : "");
 }
 

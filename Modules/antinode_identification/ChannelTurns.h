@@ -23,7 +23,7 @@ struct GroupedPhases
 /** What turns phases of each group most towards 0 or pi. */
 struct TurnsOfGroups
 {
-    Eigen::VectorXd values; ///< G: what is to be taken off.
+    Eigen::VectorXd values; ///< G: what is to be removed.
     Eigen::VectorXd gains;  ///< G: by how much the sum falls for each.
     double left = 0;        ///< Weighted sum of squared sines of the phases that are left.
 };

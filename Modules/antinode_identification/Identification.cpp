@@ -198,7 +198,7 @@ void warnOfLeftOut (IdentifiedModes& result, const std::vector<PoleCluster>& wan
         if (std::none_of (fitted.begin(), fitted.end(), isSame))
             result.warnings.push_back ("the selected pole at "
                                        + inWords (std::abs (cluster.pole) / (2 * std::numbers::pi))
-                                       + " Hz is left out: it does not stand out of noise and misfit");
+                                       + " Hz is left out: it does not exceed noise and misfit");
     }
 }
 

@@ -84,8 +84,8 @@ struct IdentifiedModes
     ModeDeviations deviations;             ///< The larger of noise's and of what points and references disagree by.
     ModeDeviations noiseDeviations;   ///< Of white noise alone, the Cramer-Rao bound; empty where peaks were picked.
     std::vector<ModeQuality> quality; ///< N_m
-    Eigen::MatrixXd lowPasses; ///< N_p x N_b: time constants, s, of low-passes of first order that were taken off the
-                               ///< responses; 0 where there is none, empty where none was found.
+    Eigen::MatrixXd lowPasses; ///< N_p x N_b: time constants, s, of low-passes of first order that were removed from
+                               ///< the responses; 0 where there is none, empty where none was found.
     ShapeScaling scaling = ShapeScaling::convention;
     std::string scalingReason; ///< Why this scaling, as a sentence.
     std::vector<ResidualTerm> residuals;

@@ -195,7 +195,7 @@ Preference preferred (const QuantityFit& acceleration, const QuantityFit& displa
 
     for (const auto error : { &QuantityFit::physicalError, &QuantityFit::modalError })
         if (const auto gain = displacement.*error - acceleration.*error; std::abs (gain) > simpler)
-            return { gain > 0 ? &acceleration : &displacement, "it needs less residual terms" };
+            return { gain > 0 ? &acceleration : &displacement, "it needs fewer residual terms" };
 
     return { &acceleration, "it is measured more often" };
 }
@@ -309,7 +309,7 @@ LikelyQuantity likelyQuantity (const std::array<QuantityFit, 3>& fits, const Fre
     };
     const auto* const acceleration = find (1);
     const auto* const displacement = find (-1);
-    const auto begin = std::string ("no file says what was measured: ");
+    const auto begin = std::string ("no file gives the measured quantity: ");
 
     if (candidates.size() == 1 || acceleration == nullptr || displacement == nullptr)
         return { candidates.front()->integrations, begin + nameOf (candidates.front()->integrations)

@@ -208,7 +208,7 @@ void addWarnings (IdentifiedModes& modes)
 
     if (modes.points.rows() > 1 && pointsPerHalfWave (modes.points, modes.modes()) < enoughPointsPerHalfWave)
         modes.warnings.emplace_back (
-            "there may be less than 2.5 points per half wave of the highest modes: points on nodal lines hide modes");
+            "there may be fewer than 2.5 points per half wave of the highest modes: points on nodal lines hide modes");
 
     if (modes.references.size() == 1 && modes.points.rows() > 1)
         modes.warnings.emplace_back ("a single reference misses modes that it cannot excite");

@@ -39,7 +39,7 @@ std::string ratioInWords (double ratio, double limit)
 
 ModeKind noGain (double ratio, double limit)
 {
-    return real ("complex shapes describe the responses no better than noise lets them ("
+    return real ("complex shapes describe the responses no better than noise allows ("
                  + ratioInWords (std::max (ratio, 0.0), limit) + ")");
 }
 } // namespace
@@ -102,7 +102,7 @@ ModeKind decideModeKind (const FitErrors& realErrors, const FitErrors& complexEr
 
     if (share < mostOfMisfit)
         return real ("complex shapes explain only " + percent
-                     + " of what real ones leave above the noise; complex modes explain 67 % or more");
+                     + " of the residual of real ones above the noise; complex modes explain 67 % or more");
 
     const auto& omega = complexFit.basis.angularFrequencies;
     const Eigen::MatrixXcd residues =

@@ -12,7 +12,7 @@ struct RecordEffects
 };
 
 /** Responses under an exponential window in the form that modes of another damping have: a window e^{-at} puts i omega
-   + a for i omega, also in the numerator, which is put right here. [worker] Docs/Theory.md, section 8.1. */
+   + a for i omega, also in the numerator, which is corrected here. [worker] Docs/Theory.md, section 8.1. */
 FrequencyResponses withModalNumerators (FrequencyResponses, const RecordEffects&);
 
 /** Modes without what record and window did to them: a record cut off at T multiplies the residues of a pole s by 1 -

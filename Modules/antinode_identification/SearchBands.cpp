@@ -61,7 +61,7 @@ std::vector<SearchBand> searchBands (const PreparedResponses& data, const std::v
 
         if (! (minimum < maximum) || bands.back().lines < 8)
             throw InputError ("band " + std::to_string (minimum) + " to " + std::to_string (maximum) + " Hz",
-                              "contains less than 8 lines of the frequency responses; allowed: 8 or more");
+                              "contains fewer than 8 lines of the frequency responses; allowed: 8 or more");
     }
 
     return bands;

@@ -153,7 +153,7 @@ private:
         std::vector<double> numbers;
 
         if (! appendRecordNumbers (lines.columns (10, 60), { 12 }, numbers) || numbers.size() != 3)
-            lines.fail ("has not the three numbers of a step");
+            lines.fail ("does not have the three numbers of a step");
 
         step = static_cast<std::int64_t> (std::clamp (numbers[2], 0.0, 1e15));
     }
@@ -173,7 +173,7 @@ private:
             lines.appendValues (3 + width, values);
 
             if (values.size() != before + 3)
-                lines.fail ("has not three coordinates");
+                lines.fail ("does not have three coordinates");
 
             if (! indices.emplace (results.labels.back(), indices.size()).second)
                 lines.fail ("has node " + std::to_string (results.labels.back()) + " once more");
@@ -204,7 +204,7 @@ private:
                 for (std::size_t column = 3; ! Lines::stripped (lines.columns (column, width)).empty(); column += width)
                     results.elements.back().nodes.push_back (indexOf (lines.integer (column, width)));
             else
-                lines.fail ("is no line of an element");
+                lines.fail ("is not a line of an element");
     }
 
     void readBlock()
@@ -253,12 +253,12 @@ private:
                     continue;
 
                 if (values.size() < 3)
-                    lines.fail ("has not three components");
+                    lines.fail ("does not have three components");
 
                 block.values.row (node) << values[0], values[1], values[2];
             }
             else if (key != "-5" && key != "-2")
-                lines.fail ("is no line of results");
+                lines.fail ("is not a line of results");
     }
 
     /** Modes by themselves; static steps with motion are displacements, those without are held: their forces count. */

@@ -27,7 +27,7 @@ double informationBits (const PlayedInformation&, const Eigen::VectorXd& audibil
 /** Sensors that are chosen among candidates. */
 struct SensorChoice
 {
-    std::vector<Eigen::Index> chosen; ///< In the order in which they were added, the most telling first.
+    std::vector<Eigen::Index> chosen; ///< In the order in which they were added, the most informative first.
     std::vector<double> bits;         ///< What the first one, two... of them tell together.
 };
 

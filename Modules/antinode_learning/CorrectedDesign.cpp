@@ -67,7 +67,7 @@ std::optional<FocusDesign> correctedDesign (const FocusDesign& design, const Mod
             return {};
 
         corrected.program = sum (std::move (corrected.program), correction.program);
-        corrected.choices.push_back ("Corrected by what was learnt from plays: " + inWords (peakVoltage (correction))
+        corrected.choices.push_back ("Corrected from plays: " + inWords (peakVoltage (correction))
                                      + " V at most are added, for " + std::to_string (count) + " modes.");
         return corrected;
     }

@@ -19,7 +19,7 @@ namespace
 {
 constexpr double percent = 100;
 constexpr double mostUnexplainedShare = 0.3; // of the signals, RMS
-constexpr double leastHeard = 100;           // energy over the noise's: less says nothing of anything
+constexpr double leastHeard = 100;           // energy over the noise's: less is no information
 constexpr double mostClipped = 1e-3;         // of the samples, at the largest value
 constexpr int mostFitSteps = 6;
 

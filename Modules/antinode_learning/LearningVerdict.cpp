@@ -55,8 +55,8 @@ std::string doubtOf (const LearningPass& pass, const LearntModes& learnt, const 
     // Before what a fit says: a sensor that is dead is explained by ceramics that do nothing, or by nothing.
     if (! (pass.loudness > 1 / farFromPredicted && pass.loudness < farFromPredicted))
         return "Sensors hear " + inWords (percent * pass.loudness)
-               + " % of what the device as it was known predicts; allowed: " + inWords (percent / farFromPredicted)
-               + " to " + inWords (percent * farFromPredicted) + " %. Check sensors, channels and units.";
+               + " % of what the previous device predicts; allowed: " + inWords (percent / farFromPredicted) + " to "
+               + inWords (percent * farFromPredicted) + " %. Check sensors, channels and units.";
 
     if (! (learnt.unexplained < mostUnexplained))
         return "The model does not explain " + inWords (percent * learnt.unexplained)
@@ -64,14 +64,14 @@ std::string doubtOf (const LearningPass& pass, const LearntModes& learnt, const 
                + " %. Check sensors, channels and places.";
 
     if (learnt.heldBackBefore > 0 && ! (learnt.heldBack < learnt.heldBackBefore))
-        return "What was learnt from the other sensors leaves " + inWords (percent * learnt.heldBack)
-               + " % of a sensor that is held back, the device as it was " + inWords (percent * learnt.heldBackBefore)
+        return "The model learnt from the other sensors leaves " + inWords (percent * learnt.heldBack)
+               + " % of a held-back sensor unexplained, the previous device "
+               + inWords (percent * learnt.heldBackBefore)
                + " %: it would make the device worse. Check places and channels, or measure at more points.";
 
     if (const auto move = farthestMove (learnt, nominal, deviations); ! (move < farthest))
-        return "A frequency would be " + inWords (move)
-               + " standard deviations off the device as it was known; allowed: " + inWords (farthest)
-               + ". Check sensors, channels and places.";
+        return "A frequency would be " + inWords (move) + " standard deviations off the previous device; allowed: "
+               + inWords (farthest) + ". Check sensors, channels and places.";
 
     return {};
 }
@@ -84,13 +84,13 @@ std::string refusalOf (const LearntFocus& learnt, const ModalModel& nominal, con
         return doubt;
 
     if (learnt.passes.size() > 1 && ! isWellPredicted (last, learnt.learnt.residual))
-        return "What was learnt did not predict the last play much better than the device as it was known.";
+        return "The learnt model did not predict the last play much better than the previous device.";
 
     // What predicts so well needs no other proof, whatever was left to gain.
     const auto isSure = last.surprise < surelyPredicted * last.nominalSurprise;
 
     if (learnt.passes.size() > 1 && ! isSure && ! isClearlyBetter (learnt.passes, learnt.passes.size() - 1))
-        return "By what was learnt the last play was hardly better than the first.";
+        return "According to the learnt model the last play was hardly better than the first.";
 
     return {};
 }
@@ -100,7 +100,7 @@ std::string warningOf (const LearntFocus& learnt)
     if (! learnt.refusal.empty() || ! isUnlikelyMove (learnt.learnt.largestMove))
         return {};
 
-    return "A frequency is more than 6 of its standard deviations off the device as it was known. Give larger "
+    return "A frequency is more than 6 of its standard deviations off the previous device. Give larger "
            "deviations "
            "of the frequencies, or retune the device first.";
 }

@@ -11,7 +11,7 @@ AlignedSignals alignedWith (const Eigen::MatrixXd& signals, const Eigen::MatrixX
                             double longestDelay)
 {
     if (signals.rows() != predicted.rows() || signals.isZero (0) || predicted.isZero (0))
-        throw InputError ("recording", "is silent, or has another number of channels than what is expected; allowed: "
+        throw InputError ("recording", "is silent, or has another number of channels than expected; allowed: "
                                        "the signals of all points, as one plays");
 
     PlayedRecording recording;

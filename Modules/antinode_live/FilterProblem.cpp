@@ -106,6 +106,6 @@ void requireFixedPoints (const WaveformsDescription& description)
     for (std::size_t p = 0; p < points.size(); ++p)
         if (! points[p].path.empty())
             throw InputError ("waveforms: " + pointInWords (description, p) + " path",
-                              "is known beforehand only; filters for live inputs take places");
+                              "needs the whole event in advance; filters for live inputs take places");
 }
 } // namespace antinode

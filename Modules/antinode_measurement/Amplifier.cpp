@@ -141,7 +141,7 @@ ModalModel throughAmplifiers (ModalModel model, const std::vector<Amplifier>& am
         auto& ceramic = model.ceramics[static_cast<std::size_t> (i)];
         requireResponse (amplifier.gain > 0, "has a gain of 0 or less");
         requireResponse (amplifier.delay - first <= longestLag && amplifier.timeConstant <= longestLag,
-                         "of '" + ceramic.name + "' is late by more than devices can say; allowed: up to "
+                         "of '" + ceramic.name + "' is later than a device file can describe; allowed: up to "
                              + inWords (longestLag * 1e3) + " ms after the first one, and as long a time constant");
         requireResponse (ceramic.lag.delay == 0 && ceramic.lag.timeConstant == 0,
                          "stands in front of '" + ceramic.name

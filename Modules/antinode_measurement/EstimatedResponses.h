@@ -19,7 +19,7 @@ struct EstimatedResponses
     Eigen::MatrixXcd values;   ///< N_f x N: output per input with exp (+i omega t).
     Eigen::MatrixXd variances; ///< N_f x N: E |error|^2; empty if one period alone cannot tell.
     Eigen::MatrixXd
-        coherence; ///< N_f x N: 0 to 1, the share of a block's power that comes from the input; empty likewise.
+        coherence; ///< N_f x N: 0 to 1, the share of a block's power that comes from the input; empty in the same case.
     std::vector<NonlinearDistortion> distortion; ///< One per sensor; empty if the excitation does not show it.
 };
 

@@ -30,7 +30,7 @@ struct OutlineExtent
 /** [any] */
 OutlineExtent extentOf (const Outline&);
 
-/** m^2, the holes taken off. [any] */
+/** m^2, without the holes. [any] */
 double areaOf (const Outline&);
 
 /** How much a path encloses, m^2: positive where it runs counter-clockwise. [any] */

@@ -12,7 +12,7 @@
 
 namespace antinode
 {
-/** A focus with one weight of what is felt elsewhere, as the plate model played it. */
+/** A focus with one weight of the felt level elsewhere, as the plate model played it. */
 struct FeltTradeoffPoint
 {
     double weight = 0;
@@ -24,7 +24,7 @@ struct FeltTradeoffPoint
     std::string failure;              ///< Why there is no design; empty if there is one.
 };
 
-/** Voltage and felt contrast of one focus by the weight of what is felt elsewhere. */
+/** Voltage and felt contrast of one focus by the weight of the felt level elsewhere. */
 struct FeltTradeoff
 {
     std::vector<FeltTradeoffPoint> points; ///< By weight, ascending.

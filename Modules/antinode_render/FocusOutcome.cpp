@@ -75,12 +75,12 @@ std::string limitInWords (const RenderedFocus& focus)
 
     if (transient (worst) > missing (worst) && std::any_of (focus.contacts.begin(), focus.contacts.end(), lifts))
         return "Fingers that lift off limit the field: it is " + percent (transient (worst))
-               + " off what the controlled modes represent. The design takes them as fingers that stay.";
+               + " off the field that the controlled modes represent. The design assumes fingers that stay.";
 
     if (transient (worst) > missing (worst) && ! design.description.fingers.empty())
         return "Fingers limit the field: it is " + percent (transient (worst))
-               + " off what the controlled modes represent. Let the design know them (focus.fingers, known), or take "
-                 "the allocation 'exact'.";
+               + " off the field that the controlled modes represent. Include them in the design (focus.fingers, "
+                 "known), or use the allocation 'exact'.";
 
     if (transient (worst) > missing (worst))
         return transientInWords (design, design.moments[worst], focus.moments[worst].modalVelocities,

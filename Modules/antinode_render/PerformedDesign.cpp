@@ -118,8 +118,8 @@ FocusDesign performedDesign (const PerformedWaveforms& performed, const ModalMod
     design.certificate.peakVoltage = made.peaks.maxCoeff();
     design.certificate.peakRatio = made.peaks.cwiseQuotient (design.program.voltageLimits).maxCoeff();
     design.reachablePeakVelocity = design.description.targets.front().peakVelocity;
-    design.choices.push_back ("Voltages of waveforms at fingers, from their first sample on. The target stands for the "
-                              "fastest motion that a track wants; scores against it say nothing of the waveforms.");
+    design.choices.push_back ("Voltages of waveforms at fingers, from their first sample on. The target represents the "
+                              "fastest wanted motion of a track; scores against it do not apply to the waveforms.");
     design.warnings = made.warnings;
     return design;
 }

@@ -204,11 +204,11 @@ PerformedWaveforms performWaveforms (const ModalModel& known, const ModalModel& 
                                                        correction ? correction->shift : TrackShift {});
 
     if (correction)
-        design.warnings.emplace_back ("Corrected for the recorded surface: on the simulated one, which does not "
-                                      "differ from its model, the errors are what the correction makes up for.");
+        design.warnings.emplace_back ("Corrected for the recorded surface: on the simulated one, which equals its "
+                                      "model, the errors are those that the correction compensates for.");
 
     if (correction && correction->errors[correction->best] >= 0)
-        design.warnings.emplace_back ("What was recorded is no nearer to what is wanted than silence is: check "
+        design.warnings.emplace_back ("The recording is no closer to the wanted motion than silence: check "
                                       "wiring, unit, sign and order of the channels.");
 
     if (progress)
@@ -249,7 +249,7 @@ PerformedWaveforms judgeVoltages (const ModalModel& known, const ModalModel& jud
     design.voltages.firstTime = -static_cast<double> (alignment.begin) / settings.sampleRate;
 
     if (alignment.likeness < alike)
-        design.warnings.push_back ("What the fingers get is not like the tracks (correlation "
+        design.warnings.push_back ("The motion at the fingers does not resemble the tracks (correlation "
                                    + fixedText (alignment.likeness, 2)
                                    + "): check order, sign and scale of the channels, places and band.");
 

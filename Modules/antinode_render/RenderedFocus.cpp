@@ -184,7 +184,8 @@ RenderedFocus renderFocus (WideModel wide, FocusDesign design, const RenderOptio
                                         result.render.sampleRate);
 
     if (options.repetitions && canLift)
-        result.power = FocusPower { "fingers may lift off; it is told for fingers that stay on the surface", {}, {} };
+        result.power =
+            FocusPower { "fingers may lift off; it is computed for fingers that stay on the surface", {}, {} };
     else if (options.repetitions)
         result.power = focusPower (result.model, result.render.voltages, options.playback, *options.repetitions);
 

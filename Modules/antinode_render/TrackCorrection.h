@@ -17,7 +17,7 @@ struct RecordedPass
     SampledVoltages voltages;
     Eigen::MatrixXd
         displacements;  ///< points x N_s, m, those with tracks first: from the first voltage on, at its rate.
-    double latency = 0; ///< s, that the recording came with and that was taken off.
+    double latency = 0; ///< s, that the recording came with and that was removed.
 };
 
 /** What recorded passes say about the next one. */

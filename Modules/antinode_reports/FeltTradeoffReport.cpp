@@ -165,9 +165,9 @@ ReportPage feltTradeoffReport (const FeltTradeoff& tradeoff, const std::string& 
     ReportSection section;
     section.heading = "Voltage against felt contrast";
     section.paragraphs = {
-        "The more weight there is on what is felt elsewhere, the more voltage the same focus needs. Each point is a "
-        "design that has all controlled modes at their velocities at the focus, played on a plate with more modes than "
-        "it knows. Levels are those of the whole event, over the threshold of skin ("
+        "The more weight on felt levels elsewhere, the more voltage the same focus needs. Each point is a design with "
+        "all controlled modes at their velocities at the focus, played on a plate with more modes. Levels are those of "
+        "the whole event, over the threshold of skin ("
         + tradeoff.threshold
         + "); elsewhere is the largest farther than 30 mm from the targets. The contrast is that of the weakest target "
           "to the most disturbed bystander, or to the largest elsewhere where there are no bystanders."

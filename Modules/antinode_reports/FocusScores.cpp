@@ -103,7 +103,7 @@ std::vector<ReportScore> focusScores (const RenderedFocus& focus, const FocusOut
           focus.model.modes() > focus.known.modes() && focus.design.description.fingers.empty()
               ? percentInWords (spillOverShare (focus))
               : "not known",
-          "What the voltages move of modes that the device does not say: " + spillOverInWords (focus) },
+          "Motion of modes beyond those of the device: " + spillOverInWords (focus) },
         { "Captured", formatFixed (design.captured, 4),
           "Fraction of the wanted field (square root of energy) that the "
               + std::to_string (design.controlledModes.size()) + " controlled modes represent. 1 is all of it." },

@@ -131,7 +131,7 @@ ReportSection responseSection (const IdentificationResult& result)
     section.heading = "Measured and synthesised responses";
     section.paragraphs = { "Modes were fitted from " + inWords (result.modes.minimumFrequency) + " to "
                            + inWords (result.modes.maximumFrequency)
-                           + " Hz; all that was measured is shown. The phases are without the common delay; where "
+                           + " Hz; all measured lines are shown. The phases are without the common delay; where "
                              "the noise of a response is more than half of it, its phase is left out." };
 
     for (const auto& pair : strongestPairs (measured))
@@ -233,11 +233,12 @@ ReportSection numberSection (const IdentificationResult& result)
 {
     ReportSection section;
     section.heading = "Table of modes";
-    section.paragraphs = { "Values after a plus-minus sign are standard deviations: the larger of that from the noise "
-                           "in the responses and "
-                           "of that from what points and references disagree by. MPC (modal phase collinearity) is 1 "
-                           "if all points move in phase. One shape: the fraction of a mode's energy that one shape "
-                           "times one participation explains." };
+    section.paragraphs = {
+        "Values after a plus-minus sign are standard deviations: the larger of the effect of noise in the responses "
+        "and the disagreement of points and references. MPC (modal phase collinearity) is 1 "
+        "if all points move in phase. One shape: the fraction of a mode's energy that one shape "
+        "times one participation explains."
+    };
     auto table = modeTable (result);
     const auto warnings = warningColumn (result);
     table.header.emplace_back ("warnings");

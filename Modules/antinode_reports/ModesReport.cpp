@@ -113,8 +113,8 @@ ReportSection tableSection (const ModalModel& model)
 
     if (usualModelError (model))
         section.paragraphs.push_back ("The error of the solver is that of the numerical solution alone. That of the "
-                                      "model is what devices usually differ from their description by, in dimensions, "
-                                      "materials and edges; a few measured points (antinode retune) take it away.");
+                                      "model is the usual difference of devices from their description, in dimensions, "
+                                      "materials and edges; a few measured points (antinode retune) remove it.");
 
     section.tables.push_back (std::move (table));
     return section;

@@ -98,7 +98,7 @@ ReportSection powerSection (const RenderedFocus& focus)
                                        : "")
             + ". " + amplifierAdvice (power.repeated),
         "Dielectric loss is that of small signals; at high fields it is several times as large. The warming is a "
-        "steady state in still air with 10 W/(m\xC2\xB2 K) from one face; what the body takes away lowers it."
+        "steady state in still air with 10 W/(m\xC2\xB2 K) from one face; conduction into the body lowers it."
     };
     section.tables = { onceTable (focus.model, once), repeatedTable (focus.model, power.repeated),
                        amplifierTable (power.repeated) };

@@ -117,7 +117,7 @@ ReportPage toleranceReport (const ModalModel& model, const std::string& focus,
     page.subtitle = model.name + ", " + reported.name + " design. " + spreadInWords (tolerance.options);
     page.scores = { { "v-score", fixedText (tolerance.vScore[median], 4), "Median over the devices; 1 is best." },
                     { "Field error", fixedText (toPercent * tolerance.fieldError[median], 2) + " %",
-                      "Median over the devices, against what the controlled modes represent." },
+                      "Median over the devices, against the field that the controlled modes represent." },
                     { "Field error, 95 %", fixedText (toPercent * tolerance.fieldError[high], 2) + " %",
                       "95 % of the devices have less." },
                     { "Peak voltage", inWords (reported.peakVoltage) + " V", "Of the " + reported.name + " design." } };

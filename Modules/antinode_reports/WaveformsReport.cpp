@@ -194,11 +194,12 @@ std::string coordinateInWords (const TouchedPoint& point, double PathPoint::*coo
 
 ReportTable fingerTable (const PerformedWaveforms& performed)
 {
-    ReportTable table { "Fingers: what they should not feel is compared with the strongest track, within the band and "
-                        "with all frequencies",
-                        { "finger", "x (mm)", "y (mm)", "wanted (um)", "reached (um)", "error (dB)",
-                          "all frequencies (dB)", "felt (dB SL)" },
-                        {} };
+    ReportTable table {
+        "Fingers: unwanted motion is compared with the strongest track, within the band and with all frequencies",
+        { "finger", "x (mm)", "y (mm)", "wanted (um)", "reached (um)", "error (dB)", "all frequencies (dB)",
+          "felt (dB SL)" },
+        {}
+    };
     const auto points = touchedPoints (performed.design.description);
 
     for (std::size_t p = 0; p < points.size(); ++p)
@@ -217,7 +218,7 @@ ReportTable fingerTable (const PerformedWaveforms& performed)
 ReportSection elsewhereSection (const PerformedWaveforms& performed)
 {
     ReportSection section;
-    section.heading = "What is felt elsewhere";
+    section.heading = "Felt level elsewhere";
     section.paragraphs = {
         fixedText (100 * performed.felt.feltShare, 0)
             + " % of the surface is felt. Below 1 kHz a plate has few modes: no area can be quiet, only the points "
@@ -273,7 +274,7 @@ std::vector<ReportScore> waveformScores (const PerformedWaveforms& performed)
     }
 
     scores.push_back ({ "Suppression", fixedText (worst, 1) + " dB",
-                        "What a finger should not feel over the strongest track, at the worst finger." });
+                        "Unwanted motion over the strongest track, at the worst finger." });
     scores.push_back ({ "Error of a track", formatted ("%.1e", error),
                         "Energy of reached minus wanted over that of the wanted waveform, the worst track." });
     scores.push_back ({ "Peak voltage", inWords (performed.design.peaks.maxCoeff()) + " V", "Of all ceramics." });

@@ -358,7 +358,7 @@ double samplingInterval (const Eigen::VectorXd& times, const std::string& source
     if (count < 2 || isEven)
     {
         if (! (interval > 0))
-            throw InputError (source, "has less than two samples");
+            throw InputError (source, "has fewer than two samples");
 
         return interval;
     }

@@ -223,7 +223,7 @@ bool isFrequencies (const MatlabVariable& variable)
     return isVector (variable) && (isOneOf (variable, frequencyNames) || isOneOf (variable, angularNames));
 }
 
-/** Frequencies in the first column of an array, which is then taken off it. */
+/** Frequencies in the first column of an array, which is then removed from it. */
 std::optional<ResponseArray> withOwnFrequencies (const MatlabVariable& array)
 {
     const auto rows = array.sizes[0];

@@ -279,7 +279,7 @@ std::vector<MatlabVariable> readLevel4 (std::string_view bytes, const std::strin
         const auto header = level4Header (bytes, source);
 
         if (! header)
-            MatlabForm { source }.failDamaged ("behind its first matrices, of version 4, is something else");
+            MatlabForm { source }.failDamaged ("other data follow its first matrices of version 4");
 
         MatlabVariable variable;
         variable.name = printable (bytes.substr (level4HeaderBytes, header->nameBytes - 1));

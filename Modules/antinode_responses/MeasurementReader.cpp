@@ -20,7 +20,7 @@ MeasurementFile measurementFromWave (std::string_view bytes, const std::string& 
     MeasurementFile file;
 
     if (wave.samples.cols() < 2)
-        throw InputError (source, "has less than two samples");
+        throw InputError (source, "has fewer than two samples");
 
     for (const auto& channel : wave.samples.rowwise())
     {

@@ -52,8 +52,8 @@ bool completeQuantities (Responses& responses, const MeasurementOptions& options
     if (stated == responses.end() || silent == responses.end())
         return stated != responses.end();
 
-    remarks.push_back (silent->source + " does not say what was measured: taken as " + namedBeside (*stated, *silent)
-                       + " says.");
+    remarks.push_back (silent->source + " does not give the measured quantity: assumed to be that of "
+                       + namedBeside (*stated, *silent) + ".");
     const auto quantity = stated->unit.quantity;
 
     for (auto& response : responses)
@@ -85,7 +85,7 @@ DriveQuantity commonDrive (const Responses& responses, const MeasurementOptions&
     return first;
 }
 
-/** Lines from high to low are turned round. */
+/** Lines from high to low are reversed. */
 void sortDescending (Responses& responses)
 {
     std::map<std::shared_ptr<const Eigen::VectorXd>, std::shared_ptr<const Eigen::VectorXd>> turned;
@@ -316,7 +316,7 @@ Measurement mergedResponses (const std::vector<MeasurementFile>& files, const Me
 
     for (const auto& response : responses)
         if (response.frequencies->size() < 2 || response.values.size() != response.frequencies->size())
-            throw InputError (response.source, "has a response with less than two lines");
+            throw InputError (response.source, "has a response with fewer than two lines");
 
     sortDescending (responses);
 

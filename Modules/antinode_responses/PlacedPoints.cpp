@@ -62,10 +62,10 @@ void placePoints (const std::vector<MeasurementFile>& files, const MeasurementOp
 
     if (const Eigen::RowVector2d span = points.colwise().maxCoeff() - points.colwise().minCoeff();
         options.places.empty() && span.maxCoeff() > unlikely)
-        measurement.remarks.push_back (formatted (
-            "The points of the files span %g m x %g m. Are their lengths in mm? A set 164 of a universal file says "
-            "so, points_mm of a MATLAB file, or --points.",
-            span[0], span[1]));
+        measurement.remarks.push_back (
+            formatted ("The points of the files span %g m x %g m. Are their lengths in mm? Use a set 164 of a "
+                       "universal file, points_mm of a MATLAB file, or --points.",
+                       span[0], span[1]));
 
     if (points.rows() > 1 && (points.col (0).array() == points (0, 0)).all()) // A line lies along x.
         points.col (0).swap (points.col (1));

@@ -205,7 +205,7 @@ RecordedSignal namedChannel (const std::string& name, const std::string& where)
 
     if (head.empty() || (! tail.empty() && ! signal.isForce && signal.direction == 0))
         throw InputError (where, inQuotes (name)
-                                     + " is no channel; allowed: force, force:POINT, POINT, POINT:x, y or z, "
+                                     + " is not a channel; allowed: force, force:POINT, POINT, POINT:x, y or z, "
                                        "POINT:-x, -y or -z");
 
     signal.point = signal.isForce ? (signal.direction == 0 ? tail : "") : head;

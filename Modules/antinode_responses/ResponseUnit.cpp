@@ -82,7 +82,7 @@ bool isUnknownUnit (std::string_view label)
 std::string unknownUnitRemark (const std::string& source, const std::string& label)
 {
     return source + ": " + inQuotes (label)
-           + " is no known unit of a motion, a force or a voltage, so it counts as not stated; options such as "
+           + " is not a known unit of a motion, a force or a voltage, so it counts as not stated; options such as "
              "--response-unit state it.";
 }
 

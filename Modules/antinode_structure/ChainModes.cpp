@@ -32,7 +32,7 @@ Eigen::MatrixXd watchedProduct (const MatrixIn& a, const MatrixIn& b)
     return result;
 }
 
-/** a' a, likewise. */
+/** a' a, in the same way. */
 Eigen::MatrixXd watchedGram (const MatrixIn& a)
 {
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero (a.cols(), a.cols());
@@ -151,7 +151,7 @@ Eigen::MatrixXd massNormalised (const ChainProblem& problem, Eigen::MatrixXd vec
 
 /** An angular frequency below that of any flexible mode of a straight beam: what the loosest supports (pinned and
    guided, beta L = pi/2) give if the softest section carries the heaviest mass everywhere. What shear and rotary
-   inertia take off is bounded as Dunkerley does: flexibilities and inertias by themselves, their squared periods added.
+   inertia remove is bounded as Dunkerley does: flexibilities and inertias by themselves, their squared periods added.
  */
 double lowestPossibleAngularFrequency (const ElementChain& chain)
 {

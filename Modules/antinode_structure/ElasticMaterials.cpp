@@ -29,7 +29,7 @@ constexpr std::array<NamedElasticMaterial, 18> elasticTable { {
       isotropic (71.5e9, 0.21, 2420) },
     { { "PMMA",
         { "acrylic", "plexiglas" },
-        "E 2.7 to 3.4 GPa when pulled slowly; above 100 Hz 20 to 50 % more; -1.5 %/K; loss factor 0.04 to 0.08",
+        "E 2.7 to 3.4 GPa in static tests; above 100 Hz 20 to 50 % more; -1.5 %/K; loss factor 0.04 to 0.08",
         "data sheet of Plexiglas GS and XT" },
       isotropic (3.3e9, 0.37, 1190) },
     { { "polycarbonate", { "PC" }, "E 2.2 to 2.6 GPa; loss factor 0.01 to 0.02", "data sheet of Makrolon" },

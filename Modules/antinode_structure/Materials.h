@@ -11,7 +11,7 @@
 
 namespace antinode
 {
-/** What stands beside the constants of a built-in material: by which other words it is known, what scatters between
+/** What a built-in material has besides its constants: by which other words it is known, what scatters between
    samples, and where the constants are from. */
 struct MaterialNotes
 {

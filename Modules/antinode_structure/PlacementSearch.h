@@ -11,7 +11,7 @@ namespace antinode
 struct PlacementProblem
 {
     Eigen::MatrixXd kernel;        ///< N_m x N_m, scaled: controllabilities are relative to 1.
-    Eigen::MatrixXd participation; ///< N_m x candidates, scaled likewise.
+    Eigen::MatrixXd participation; ///< N_m x candidates, scaled in the same way.
     Eigen::Index count = 0;        ///< The number of candidates to choose, at least 1.
     std::function<bool (Eigen::Index, Eigen::Index)> exclude; ///< Whether two candidates cannot both be chosen. [any]
 };

@@ -12,7 +12,7 @@ struct PlacedCeramics
     std::vector<CeramicDescription> ceramics; ///< Named C1, C2 and so on.
     double controllability = 0;     ///< Of the worst mode, relative to average positions that do not couple modes.
     std::optional<double> resolved; ///< The same with the ceramics' mass and stiffness.
-    Eigen::VectorXd perMode;        ///< N_m: the Gramian's diagonal, likewise relative.
+    Eigen::VectorXd perMode;        ///< N_m: the Gramian's diagonal, relative too.
     Eigen::Index candidates = 0;
     int exchanges = 0;
 };

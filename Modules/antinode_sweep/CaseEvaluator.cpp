@@ -112,8 +112,8 @@ void CaseEvaluator::check() const
 
             for (const auto& key : plan.record)
                 if (const auto* const value = findValue (summary, key); value == nullptr || ! isNumber (*value))
-                    throw InputError ("record",
-                                      inQuotes (key) + " is no number of a case; allowed: " + allowedKeys (summary));
+                    throw InputError (
+                        "record", inQuotes (key) + " is not the number of a case; allowed: " + allowedKeys (summary));
 
             return;
         }
@@ -126,7 +126,7 @@ void CaseEvaluator::check() const
         }
     }
 
-    throw InputError ("sweep", "none of 16 cases that were tried can be computed; the first says: " + refused);
+    throw InputError ("sweep", "none of 16 cases that were tried can be computed; the first error: " + refused);
 }
 
 CaseResult CaseEvaluator::evaluate (std::uint64_t number) const

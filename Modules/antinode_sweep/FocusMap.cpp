@@ -57,7 +57,7 @@ FocusMap mapFocus (const WideModel& wide, const FocusDescription& focus, const M
     parallelFor ((places + placesAtOnce - 1) / placesAtOnce, mapSome, options.threads);
 
     if (std::all_of (map.places.begin(), map.places.end(), [] (const auto& place) { return ! place.error.empty(); }))
-        throw InputError ("map", "no place can be designed for; the first says: " + map.places.front().error);
+        throw InputError ("map", "no place can be designed; the first error: " + map.places.front().error);
 
     return map;
 }

@@ -93,7 +93,7 @@ nlohmann::ordered_json FocusStudy::closedForm (const MadeDesign& designed, const
     const auto& moment = design.moments.front();
 
     if (canLiftOff (design.description.fingers))
-        throw InputError ("evaluate", "is closed_form, which knows no fingers that lift off; allowed: render");
+        throw InputError ("evaluate", "is closed_form, which does not support fingers that lift off; allowed: render");
 
     const auto states = predictStates (deviation.isNone() ? designed.modes : deviated (designed.modes, deviation, seed),
                                        design.program, moment.time);

@@ -111,7 +111,7 @@ PartFolder::PartFolder (const std::filesystem::path& path, const std::string& ha
     std::error_code error;
 
     if (path.empty() || (fs::exists (path, error) && ! fs::is_directory (path, error)))
-        fail (path, "is no folder; allowed: the name of a folder");
+        fail (path, "is not a folder; allowed: the name of a folder");
 
     fs::create_directories (folder / "parts", error);
 

@@ -40,7 +40,7 @@ struct SweepPlan
 {
     std::string name;
     nlohmann::json focus, waveforms; ///< A name or a file's name, or the document itself: one of them; the other null.
-    nlohmann::json device;           ///< Likewise; null: the one that focus or waveforms name.
+    nlohmann::json device;           ///< The same; null: the one that focus or waveforms name.
     SweepScheme scheme = SweepScheme::grid;
     std::uint64_t seed = 1;
     std::uint64_t cases = 1;                                 ///< All of them.

@@ -160,7 +160,7 @@ std::string readSweptKey (const JsonValue& value, const std::string& key)
     if (! (key.starts_with ("device.") || key.starts_with ("focus.") || key.starts_with ("waveforms."))
         || key.ends_with ('.') || key.find ("..") != std::string::npos || key.find ('=') != std::string::npos)
         value.fail (inQuotes (key)
-                    + " is no key; allowed: device.KEY, focus.KEY, waveforms.KEY or deviation.KEY, for example "
+                    + " is not a key; allowed: device.KEY, focus.KEY, waveforms.KEY or deviation.KEY, for example "
                       "focus.targets.0.x_mm");
 
     return key;

@@ -89,10 +89,10 @@ std::vector<Field> fields (FocusRequest& request)
         Field ("--reconstruction", &request.reconstruction,
                "Reconstruction of voltages from samples: by an audio interface, or a generator that holds samples")
             .oneOf ({ bandLimited, zeroOrderHold }),
-        Field ("--repeat-hz", &request.repetitions, "Foci per second for which power and currents are told")
+        Field ("--repeat-hz", &request.repetitions, "Foci per second for power and currents")
             .as ("repeat_Hz")
             .within (1e-6, 1e6),
-        Field ("--threshold", &request.thresholdFile, "CSV of Hz and um: what skin feels").by ("the built-in table"),
+        Field ("--threshold", &request.thresholdFile, "Threshold of skin: CSV of Hz and um").by ("the built-in table"),
         Field ("--finger",
                TextRows { [&request] (const std::string& text) { request.fingers.push_back (parseFinger (text)); } },
                "X,Y[,KIND[,FORCE]]: a finger on the surface, mm; light, medium (default) or firm; with a pressing "

@@ -76,7 +76,7 @@ Field deviceOfFocusField (DeviceDescription& device)
 Field outlineField (std::filesystem::path& outline)
 {
     return Field ("--outline", &outline,
-                  "Where the surface ends: a plate by embedded name or .json file, or a drawing (.svg, .dxf)")
+                  "Outline of the surface: a plate by embedded name or .json file, or a drawing (.svg, .dxf)")
         .written ("FILE");
 }
 
@@ -99,7 +99,7 @@ std::optional<SurfaceBoundary> boundaryFrom (const std::filesystem::path& outlin
 
     if (surface.kind == SurfaceKind::line || (! surface.boundary && std::holds_alternative<ModalModel> (device.body)))
         throw InputError ("--outline " + outline.string(),
-                          "is a device that does not say where a surface ends; allowed: a plate, or a drawing");
+                          "is a device without an outline of its surface; allowed: a plate, or a drawing");
 
     return boundaryOf (surface);
 }

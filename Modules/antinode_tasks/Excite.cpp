@@ -63,7 +63,7 @@ std::vector<Field> fields (ExcitationRequest& request)
 {
     return {
         Field ("--device", &request.device, "Device: an embedded name or a .json file").required().positional(),
-        Field ("--signal", &request.signal, "Excitation signal, played by one ceramic after the other")
+        Field ("--signal", &request.signal, "Excitation signal, played by the ceramics in turn")
             .oneOf ({ "multisine", "sweep", "noise" }),
         Field ("--rate", &request.sampleRate, "Sample rate, Hz").as ("sample_rate_Hz"),
         Field ("--lowest-hz", &request.lowest, "Lower end of the band, Hz")

@@ -106,9 +106,9 @@ std::vector<Field> fields (FollowRequest& request)
                "Folder with voltages.wav and with recorded.csv or recorded.wav of the sensors")
             .written ("FOLDER")
             .positional(),
-        Field ("", &request.voltages, "What was played, in place of a folder: N_b x N_s, V").as ("voltages_V"),
+        Field ("", &request.voltages, "Played voltages, instead of a folder: N_b x N_s, V").as ("voltages_V"),
         Field ("", &request.signals,
-               "What was heard: N x N_s, velocities at the sensors, m/s, then the current of the idle ceramic")
+               "Recorded signals: N x N_s, velocities at the sensors, m/s, then the current of the idle ceramic")
             .as ("signals"),
         Field ("", &request.sampleRate, "Of both, Hz").as ("sample_rate_Hz").within (8000, 2e6),
         Field ("--sensors", &request.places, "Places of the velocity sensors").as ("sensors_mm").written ("POINTS.csv"),
@@ -119,18 +119,18 @@ std::vector<Field> fields (FollowRequest& request)
         Field ("--snr-db", &request.signalToNoise, "Signal-to-noise ratio of the sensors, dB")
             .as ("snr_dB")
             .within (-20, 300),
-        share ("--drift-percent", request.drift, 10, "Standard deviation of what all frequencies share, %"),
-        share ("--scatter-percent", request.scatter, 10, "Standard deviation of each frequency beside it, %"),
+        share ("--drift-percent", request.drift, 10, "Standard deviation of the drift common to all frequencies, %"),
+        share ("--scatter-percent", request.scatter, 10,
+               "Standard deviation of the individual drift of each frequency, %"),
         share ("--damping-percent", request.damping, 50, "Standard deviation of each damping ratio, %"),
-        share ("--gain-percent", request.gain, 50, "Standard deviation of what a sensor hears of each mode, %"),
+        share ("--gain-percent", request.gain, 50, "Standard deviation of the gain of a sensor for each mode, %"),
         share ("--jump-percent", request.largestJump, 10, "Largest jump of all frequencies that is searched for, %"),
         Field ("--feedthrough", &request.feedthrough,
-               "Standard deviation of what the sensors hear of each voltage's slope, in their unit per V/s")
+               "Standard deviation of the feedthrough of each voltage's slope to the sensors, in their unit per V/s")
             .within (0, 1)
             .by ("that of modes above those of the model"),
-        Field ("--window-s", &request.window, "Length of what is compared at once, s").within (0, 60),
-        Field ("--memory-s", &request.memory, "Before each window: for how long the slowest mode remembers, s")
-            .within (0, 10),
+        Field ("--window-s", &request.window, "Length of a window, s").within (0, 60),
+        Field ("--memory-s", &request.memory, "Memory of the slowest mode before each window, s").within (0, 10),
         cacheField (request.usesCache),
     };
     append (all, fields (request.sensor));

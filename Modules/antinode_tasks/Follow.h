@@ -13,8 +13,7 @@
 
 namespace antinode
 {
-inline constexpr TaskText followText { "follow",
-                                       "Follows the drift of a device from a recording of whatever was played on it",
+inline constexpr TaskText followText { "follow", "Follows the drift of a device from a recording of any playback",
                                        "Docs/Theory.md, section 7.7" };
 
 /** What was recorded, by which sensors, and how far and how quickly the device may be off. */

@@ -116,12 +116,11 @@ ReportPage driftReport (const FollowedDevice& followed)
     const auto& [device, nominal, known, trace] = followed;
     ReportSection section;
     section.heading = "Frequencies";
-    section.figures.push_back (
-        { "Change of all frequencies from the device, and of the modes that are heard best. Gaps: "
-          "nothing was played, or the signals were not explained.",
-          {},
-          driftChart (nominal, known, trace) });
-    ReportTable table { "Moments that were not followed, and jumps",
+    section.figures.push_back ({ "Change of all frequencies, and of the best observed modes, from the device. Gaps: "
+                                 "nothing was played, or the signals were not explained.",
+                                 {},
+                                 driftChart (nominal, known, trace) });
+    ReportTable table { "Windows that were not followed, and jumps",
                         { "time (s)", "state", "unexplained (%)", "jump (%)", "" },
                         {} };
 

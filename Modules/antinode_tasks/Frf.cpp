@@ -221,7 +221,7 @@ FrfFields fieldsByKind (FrfRequest& request)
             .as ("recordings")
             .required()
             .positional(),
-        Field ("", OptionalSheet { &request.sheet }, "Excitation that was played: excitation.json, or what excite gave")
+        Field ("", OptionalSheet { &request.sheet }, "Played excitation: excitation.json, or the result of excite")
             .as ("sheet")
             .by ("the first file, or a hammer was used"),
         Field ("--points", &request.pointsFile, "CSV of the points, x and y in mm")

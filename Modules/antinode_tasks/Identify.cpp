@@ -188,8 +188,8 @@ Eigen::VectorXd massesOfDrawing (const ModalModel& drawn, Measurement& measureme
 
     const auto points = measurement.responses.points.rows();
     const auto mass = surface.masses.sum();
-    measurement.remarks.push_back ("Shapes have the size that the mass of the drawing, " + inWords (1000 * mass)
-                                   + " g, gives them; --mass-kg says another one.");
+    measurement.remarks.push_back ("Shapes are scaled by the mass of the drawing, " + inWords (1000 * mass)
+                                   + " g; --mass-kg sets another one.");
     return Eigen::VectorXd::Constant (points, mass / static_cast<double> (points));
 }
 
@@ -224,8 +224,8 @@ ModalModel makeDevice (IdentifiedModes modes, const IdentifyRequest& request, co
     auto model = toModalModel (modes, surface);
 
     if (! surface.boundary && model.surface.kind == SurfaceKind::plate)
-        remarks.emplace_back ("The surface ends at the outermost points, since nothing says where its edges are: "
-                              "--outline does.");
+        remarks.emplace_back (
+            "The surface ends at the outermost points, because no outline is given; --outline sets one.");
 
     if (! model.origin.scaleIsKnown)
         remarks.emplace_back ("The size of shapes is a convention: fingers and power need --mass-kg.");

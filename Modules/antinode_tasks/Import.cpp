@@ -52,17 +52,17 @@ std::vector<Field> fields (ImportRequest& request)
         Field ("--normal", &request.normal, "Axis that is normal to the surface").oneOf ({ "x", "y", "z" }),
         Field ("--side", &request.side, "Which plane is touched: the highest along that axis, or the lowest")
             .oneOf ({ "top", "bottom" }),
-        Field ("--flatness-mm", &request.flatness, "How far nodes of the surface may lie behind its plane, mm")
+        Field ("--flatness-mm", &request.flatness, "Largest distance of nodes of the surface from its plane, mm")
             .in (millimetres)
             .positive()
             .by ("a thousandth of its extent"),
         outlineField (request.outline),
-        Field ("--points", &settings.side.maximumPoints, "Points at most; more nodes are thinned evenly")
+        Field ("--points", &settings.side.maximumPoints, "Largest number of points; more nodes are thinned evenly")
             .within (3, 20000),
         Field ("--case-voltage-v", &settings.caseVoltage, "Voltage at which the ceramics of the static cases strain, V")
             .as ("case_voltage_V")
             .positive(),
-        Field ("--damping-ratio", &settings.dampingRatio, "Damping ratio of modes for which the program says none")
+        Field ("--damping-ratio", &settings.dampingRatio, "Damping ratio of modes without one in the files")
             .within (1e-6, 0.9),
         Field ("--voltage-limit-v", &settings.voltageLimit, "Voltage limit of every ceramic, V")
             .as ("voltage_limit_V")

@@ -11,10 +11,9 @@
 
 namespace antinode
 {
-inline constexpr TaskText importText {
-    "import", "Makes a device of the modes and reaction forces that a finite-element program computed",
-    "Docs/Theory.md, section 1.14; Docs/Manual/importing.md"
-};
+inline constexpr TaskText importText { "import",
+                                       "Makes a device from modes and reaction forces of a finite-element program",
+                                       "Docs/Theory.md, section 1.14; Docs/Manual/importing.md" };
 
 /** Results of a finite-element program, and which of its surfaces is touched. */
 struct ImportRequest

@@ -215,7 +215,7 @@ std::vector<Field> fields (LearnRequest& request)
     const std::string simulate = "--simulate";
     const auto deviation = [&] (const char* option, auto& value, const char* of)
     { return Field (option, &value, std::string ("Standard deviation of each ") + of).in (percent).within (0, 50); };
-    const auto origin = "by where the modes come from";
+    const auto origin = "by the origin of the modes";
     std::vector<Field> all {
         focusField (request.focus),
         deviceOfFocusField (request.device),
@@ -237,12 +237,12 @@ std::vector<Field> fields (LearnRequest& request)
         Field ("--latency-ms", &request.latency, "Latency of the recordings, ms")
             .in (milliseconds)
             .within (0, 200)
-            .by ("that of the sync input, else it is looked for"),
-        Field ("--longest-latency-ms", &request.longestLatency, "The longest latency that is looked for, ms")
+            .by ("that of the sync input, else found from the signals"),
+        Field ("--longest-latency-ms", &request.longestLatency, "Longest latency in the search, ms")
             .in (milliseconds)
             .within (0, 200),
         Field ("--passes", &request.passes, "Plays at most").within (1, 20),
-        Field ("--enough-percent", &request.enough, "Estimated field error of a play after which no more is played, %")
+        Field ("--enough-percent", &request.enough, "Stops after a play with this estimated field error, %")
             .in (percent)
             .within (0, 100),
         Field ("--place-mm", &request.place, "Standard deviation of each sensor's place along x and y, mm")

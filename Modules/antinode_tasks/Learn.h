@@ -34,7 +34,7 @@ struct LearnRequest
     int passes = 6;
     double enough = 0.001; ///< Estimated field error after which no more is played.
     double sampleRate = 96000, duration = 0.25, longestLatency = 0.03; ///< Hz, s, s
-    std::optional<double> frequency, damping, participation; ///< Deviations; none: by where the modes come from.
+    std::optional<double> frequency, damping, participation; ///< Deviations; none: by the origin of the modes.
     double distortion = 0.02;
     double place = 0.002;          ///< m
     std::optional<double> latency; ///< s; none: looked for.

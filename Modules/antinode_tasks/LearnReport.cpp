@@ -72,11 +72,11 @@ ReportSection passSection (const LearntFocus& learnt)
     Series errors { "field error", Eigen::VectorXd::LinSpaced (count, 1, static_cast<double> (count)),
                     Eigen::VectorXd (count) };
     errors.points = true;
-    ReportTable table {
-        "Each play. Not predicted: RMS of what the model that it was designed by did not foresee, of the noise.",
-        { "play", "field error (%)", "not predicted", "not predicted by the device as it was", "latency (ms)" },
-        {}
-    };
+    ReportTable table { "Each play. Not predicted: RMS of the signals that the model of its design did not predict, "
+                        "relative to the noise.",
+                        { "play", "field error (%)", "not predicted", "not predicted by the previous device",
+                          "latency (ms)" },
+                        {} };
 
     for (Eigen::Index i = 0; i < count; ++i)
     {
@@ -96,9 +96,8 @@ ReportSection passSection (const LearntFocus& learnt)
     ReportSection section;
     section.heading = "From play to play";
     section.paragraphs = {
-        "The field error at the focus is estimated by the device as it is known after all plays: RMS over the surface, "
-        "relative to the wanted field. A model that is wrong would be wrong of it, too: a scan of the focus is the "
-        "proof."
+        "The field error at the focus is estimated with the device learnt from all plays: RMS over the surface, "
+        "relative to the wanted field. A wrong model also gives a wrong estimate: verify it by a scan of the focus."
     };
     section.figures.push_back ({ "Field error of each play.", {}, std::move (chart) });
     section.tables.push_back (std::move (table));
@@ -110,7 +109,7 @@ ReportSection modeSection (const LearntFocus& learnt, const WideModel& nominal, 
     const auto frequencies = frequenciesOf (learnt, nominal, before), dampings = dampingsOf (learnt, nominal, before);
     ReportSection section;
     section.heading = "What was learnt";
-    section.figures.push_back ({ "Change of each frequency. Dotted: by one standard deviation that is left.",
+    section.figures.push_back ({ "Change of each frequency. Dotted: by one remaining standard deviation.",
                                  {},
                                  changeChart (frequencies, nominal) });
     section.figures.push_back ({ "Change of each damping ratio.", {}, changeChart (dampings, nominal) });
@@ -142,7 +141,7 @@ ReportSection ceramicSection (const LearntFocus& learnt)
     section.paragraphs = {
         "A ceramic acts like a linear one under the voltage U + c U^3: above 0 it moves more than in proportion. "
         + std::string (learnt.refusal.empty()
-                           ? "The design and device.json allow for it at about the level that was played."
+                           ? "The design and device.json compensate for it at about the played level."
                            : "This is not used.")
     };
     ReportTable table { "Cubic distortion of each ceramic at its largest voltage of the last play",
@@ -179,23 +178,22 @@ std::string untoldModes (const Eigen::VectorXd& now, const Eigen::VectorXd& befo
 ReportSection untoldSection (const LearntFocus& learnt, const WideModel& nominal, const ModeSpread& before)
 {
     ReportSection section;
-    section.heading = "What the data could not tell";
+    section.heading = "What the data did not determine";
     const auto add = [&] (const std::string& what, const Eigen::VectorXd& now, const Eigen::VectorXd& was)
     {
         const auto modes = untoldModes (now, was, nominal.known);
-        section.paragraphs.push_back (modes.empty() ? "Of the " + what + " of every mode the sensors heard enough."
+        section.paragraphs.push_back (modes.empty() ? "The sensors determine the " + what + " of every mode."
                                                     : "More than " + fixedText (shownPercent * untold, 0)
-                                                          + " % of its deviation is left to the " + what + " of mode "
+                                                          + " % of the deviation remains for the " + what + " of mode "
                                                           + modes + ".");
     };
     add ("frequency", learnt.learnt.frequencyDeviations, before.frequencies);
     add ("damping ratio", learnt.learnt.dampingDeviations, before.dampings);
     add ("participations", learnt.learnt.participationDeviations, before.participation);
-    section.paragraphs.push_back ("A mode stays untold where the sensors are on its nodes or the focus does not play "
-                                  "it; of the participations of a "
-                                  "mode one focus shows a few combinations only. What does not matter for this focus "
-                                  "is not heard in it: another focus "
-                                  "may need it.");
+    section.paragraphs.push_back (
+        "A mode stays undetermined if the sensors are on its nodes or the focus does not play it; one focus shows only "
+        "a few combinations of the participations of a mode. Modes that do not matter for this focus are not observed; "
+        "another focus may need them.");
     return section;
 }
 } // namespace
@@ -214,11 +212,11 @@ ReportPage learningReport (const LearntFocus& learnt, const WideModel& nominal, 
     if (! learnt.passes.empty())
     {
         page.scores = { { "First play", fixedText (shownPercent * learnt.passes.front().estimatedError, 2) + " %",
-                          "Its field error, as far as is known now." },
+                          "Its estimated field error." },
                         { "Last play", fixedText (shownPercent * learnt.passes.back().estimatedError, 2) + " %",
                           "The same." },
                         { "Not explained", fixedText (shownPercent * learnt.learnt.unexplained, 2) + " %",
-                          "Of the signals, RMS: noise, and what the model does not have." } };
+                          "Of the signals, RMS: noise, and the part that the model does not explain." } };
         page.sections = { passSection (learnt), modeSection (learnt, nominal, before) };
 
         if (learnt.learnt.distortionDeviations.maxCoeff() > 0)

@@ -21,9 +21,9 @@ std::vector<Field> fields (MapRequest& request)
     return {
         device,
         focusField (request.focus),
-        Field ("--places", &request.places, "About how many places, in square cells").within (1, 100000),
-        Field ("--no-felt", &request.hasFelt, "Leaves out what skin feels, which takes most of the time").as ("felt"),
-        Field ("--threshold", &request.thresholdFile, "CSV of Hz and um: what skin feels").by ("the built-in table"),
+        Field ("--places", &request.places, "Approximate number of places, in square cells").within (1, 100000),
+        Field ("--no-felt", &request.hasFelt, "Omits felt levels, which take most of the time").as ("felt"),
+        Field ("--threshold", &request.thresholdFile, "Threshold of skin: CSV of Hz and um").by ("the built-in table"),
         sampleRateField (request.sampleRate),
         Field ("--threads", &request.threads, "Places at once").within (1, 1024).by ("one per processor"),
         cacheField (request.usesCache)

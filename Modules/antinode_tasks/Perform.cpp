@@ -65,14 +65,14 @@ std::vector<Field> fields (PerformRequest& request)
             .in (milliseconds)
             .within (0.1, 100)
             .by ("the whole event is known"),
-        Field ("--threshold", &request.thresholdFile, "CSV of Hz and um: what skin feels").by ("the built-in table"),
+        Field ("--threshold", &request.thresholdFile, "Threshold of skin: CSV of Hz and um").by ("the built-in table"),
         Field ("--correct", &request.passes,
                "Folder of an earlier pass with recorded.csv or recorded.wav in it (repeatable, in order)")
             .as ("passes")
             .written ("FOLDER")
             .without ("--latency-ms"),
         Field ("--longest-latency-ms", &request.longestLatency,
-               "The longest latency of each recording that is looked for, ms; 0: it begins with its voltages")
+               "Longest latency of each recording in the search, ms; 0: it begins with its voltages")
             .in (milliseconds)
             .within (0, 200)
             .with ("--correct"),

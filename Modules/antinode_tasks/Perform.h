@@ -15,7 +15,7 @@
 namespace antinode
 {
 inline constexpr TaskText performText { "perform",
-                                        "Gives every finger its own waveform: voltages, what each feels, a report",
+                                        "Gives every finger its own waveform: voltages, the motion at each, a report",
                                         "Docs/Theory.md, sections 4.13 and 5.3" };
 
 /** Waveforms at fingers, and how their voltages are made. */

@@ -61,9 +61,8 @@ Eigen::MatrixXd recordedTable (const std::filesystem::path& path, double sampleR
     const auto isDisplacement = all ("_um");
 
     if (! isDisplacement && ! all ("_mm_s"))
-        throw InputError (path.string(),
-                          "does not say what it has; allowed: headings time_s and then displacement_um_1 "
-                          "or velocity_mm_s_1 and so on");
+        throw InputError (path.string(), "has other headings; allowed: headings time_s and then displacement_um_1 "
+                                         "or velocity_mm_s_1 and so on");
 
     for (std::size_t i = 1; i < table.headings.size(); ++i)
         if (const auto number = "_" + std::to_string (i); ! endsWith (table.headings[i], number))
@@ -132,7 +131,7 @@ std::vector<RecordedPass> withoutLatency (std::vector<RecordedPass> passes, cons
 
         if (pass.displacements.isZero (0) || pass.voltages.values.isZero (0))
             throw InputError ("recorded pass " + std::to_string (i + 1),
-                              "is silent, so that no latency can be found; allowed: a pass that was played");
+                              "is silent, so no latency can be found; allowed: a pass that was played");
 
         auto aligned = alignedWith (pass.displacements, predictedDisplacements (known, description, pass.voltages, 0),
                                     sampleRate, longestLatency);

@@ -30,8 +30,7 @@ std::filesystem::path recordedFile (const std::filesystem::path& folder)
         if (std::filesystem::exists (folder / name))
             return folder / name;
 
-    throw InputError (folder.string(),
-                      "has neither recorded.csv nor recorded.wav: what was recorded while its voltages.wav was played");
+    throw InputError (folder.string(), "has neither recorded.csv nor recorded.wav, the recording of its voltages.wav");
 }
 
 Eigen::MatrixXd recordedVelocities (const std::filesystem::path& path, double sampleRate, const SensorScale& sensor)

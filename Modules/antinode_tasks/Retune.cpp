@@ -33,10 +33,10 @@ std::vector<Field> fields (RetuneRequest& request)
             .required()
             .positional(),
         deviation ("--frequency-percent", request.spread.frequency, "each frequency from the device, %"),
-        deviation ("--drift-percent", request.spread.drift, "the factor that all frequencies share, %"),
+        deviation ("--drift-percent", request.spread.drift, "the factor common to all frequencies, %"),
         deviation ("--damping-percent", request.spread.damping, "each damping ratio, %"),
         deviation ("--participation-percent", request.spread.participation,
-                   "each participation, beside a factor of each ceramic, %"),
+                   "each participation, in addition to a factor of each ceramic, %"),
         Field ("--place-mm", &request.placeDeviation, "Standard deviation of each point's place along x and y, mm")
             .in (millimetres)
             .within (0, 50),
@@ -58,9 +58,9 @@ RetunedDevice retune (const RetuneRequest& request, const ShowProgress&)
     auto retuned = retune (model, measured.responses, request.spread, request.placeDeviation);
 
     if (retuned.hasExactShapes && request.placeDeviation > 0)
-        measured.remarks.emplace_back ("Shapes and places of the points are taken as exact: they are fitted where the "
-                                       "device says where its modes come from, at up to 30 points, of up to 4000 "
-                                       "unknowns (modes times ceramics and points).");
+        measured.remarks.emplace_back (
+            "Shapes and places of the points are assumed exact: they are fitted only if the device records where its "
+            "modes come from, at up to 30 points, with up to 4000 unknowns (modes times ceramics and points).");
 
     return { request.device, std::move (model), std::move (retuned), std::move (measured.remarks) };
 }

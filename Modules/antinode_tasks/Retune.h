@@ -39,7 +39,7 @@ struct RetunedDevice
     DeviceDescription device;
     ModalModel before;
     RetunedModel now;
-    std::vector<std::string> remarks; ///< What was assumed of the responses, as sentences.
+    std::vector<std::string> remarks; ///< Assumptions on the responses, as sentences.
 };
 
 /** A device as the responses of a few points say that it is now.

@@ -38,7 +38,7 @@ Eigen::MatrixXd overNoise (const Eigen::MatrixXd& shapes, const Eigen::MatrixXd&
                             / static_cast<double> (std::max<Eigen::Index> (1, shapes.rows()));
 
     if (shapes.rows() > 0 && ! (meanSquare > 0))
-        throw InputError ("focus", "moves no candidate; sensors would hear nothing");
+        throw InputError ("focus", "moves no candidate; sensors would record nothing");
 
     constexpr double decibelsPerBel = 10;
     return shapes.cwiseAbs2() / (meanSquare * std::pow (10.0, -signalToNoise / decibelsPerBel));
@@ -108,7 +108,7 @@ std::vector<Field> fields (SensorRequest& request)
                "Ceramic that is not driven and may be one of the sensors, counted from 1 (repeatable)")
             .as ("idle_ceramics")
             .within (1, 4096),
-        Field ("--candidates", &request.candidates, "About how many places are compared, in square cells")
+        Field ("--candidates", &request.candidates, "Approximate number of compared places, in square cells")
             .within (1, 100000),
         deviation ("--frequency-percent", request.frequency, "frequency from the device, %"),
         deviation ("--damping-percent", request.damping, "damping ratio, %"),

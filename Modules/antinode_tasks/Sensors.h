@@ -11,8 +11,10 @@
 
 namespace antinode
 {
-inline constexpr TaskText sensorsText { "sensors", "Chooses where sensors tell most of the modes that a focus plays",
-                                        "Docs/Theory.md, section 7.8" };
+inline constexpr TaskText sensorsText {
+    "sensors", "Chooses the places where sensors give most information on the modes of a focus",
+    "Docs/Theory.md, section 7.8"
+};
 
 /** How sensors are chosen. */
 struct SensorRequest

@@ -136,12 +136,12 @@ ReportPage sensorsReport (const ModalModel& model, const SensorPlaces& places)
 {
     const auto isLine = model.surface.kind == SurfaceKind::line;
     constexpr int mapHeight = 480, curveHeight = 300;
-    const std::string caption = "What one sensor tells alone, by its place; the chosen ones by number.";
+    const std::string caption = "Information of one sensor alone, by its place; the chosen ones by number.";
     ReportSection section;
     section.heading = "Where to listen";
     section.paragraphs = {
-        "A play of the focus tells of the frequency, damping and participations of each mode: by so many bits the "
-        "volume of what is possible shrinks. Sensors on nodes tell nothing, two at one antinode the same."
+        "A play of the focus gives information on the frequency, damping and participations of each mode: it reduces "
+        "the volume of possible values by so many bits. Sensors on nodes give none, two at one antinode the same."
     };
 
     if (isLine)
@@ -149,7 +149,7 @@ ReportPage sensorsReport (const ModalModel& model, const SensorPlaces& places)
     else
         section.figures.push_back ({ caption, {}, sensorMap (model, places), reportFigureWidth, mapHeight });
 
-    ReportTable table { "The sensors, the most telling first",
+    ReportTable table { "The sensors, the most informative first",
                         { "", "is", "x (mm)", "y (mm)", "together (bits)" },
                         {} };
 

@@ -34,7 +34,7 @@ nlohmann::ordered_json sensorsToJson (const ModalModel&, const SensorPlaces&);
 /** report.html of where to listen: what one sensor tells, by its place. [worker] */
 ReportPage sensorsReport (const ModalModel&, const SensorPlaces&);
 
-/** Which ceramic a chosen sensor is, counted from 1; 0: a place. @param rank  0: the most telling [any] */
+/** Which ceramic a chosen sensor is, counted from 1; 0: a place. @param rank  0: the most informative [any] */
 int chosenCeramic (const SensorPlaces&, std::size_t rank);
 
 /** Where a chosen sensor is, m: of a ceramic its middle. [any] */

@@ -58,7 +58,7 @@ std::vector<Field> spreadFields (ToleranceRequest& request)
         return Field (option, &value, std::string ("Standard deviation of ") + of)
             .in (percent)
             .within (0, most)
-            .by ("as the focus is robust against, else by the origin of the modes");
+            .by ("those of the robust design, else by the origin of the modes");
     };
     return { Field ("--draws", &request.draws, "Number of random devices").within (1, 1000000),
              Field ("--seed", &request.seed, "Seed of the random devices").within (0, std::numeric_limits<int>::max()),

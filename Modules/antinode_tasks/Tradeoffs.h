@@ -34,7 +34,7 @@ struct DesignTradeoff
 /** Is given all designs so far, and the share of the work that is done, 0 to 1. */
 using ShowTradeoff = std::function<void (const DesignTradeoff& soFar, double share)>;
 
-/** The designs of a focus by all methods and growths, or by all weights of what is felt elsewhere.
+/** The designs of a focus by all methods and growths, or by all weights of the felt level elsewhere.
     @param show  called after each design, from one thread at a time; may be empty
     @throws InputError  as sweepTradeoff and sweepFeltWeights, and for what cannot be solved; Cancelled as checkWatch()
     [worker] Docs/Theory.md, sections 4.10 and 4.14. */

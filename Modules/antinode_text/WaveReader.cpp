@@ -178,7 +178,7 @@ std::string_view sampleBytes (std::string_view rest, std::uint64_t size, std::ui
     const auto isEmpty = size == 0 && fileSize + 8 == fileBytes;
 
     if (size > rest.size() && ! isPlaceholder (size))
-        fail (source, "is cut off: its heading says " + std::to_string (size) + " bytes of samples, "
+        fail (source, "is cut off: its header gives " + std::to_string (size) + " bytes of samples, "
                           + std::to_string (rest.size()) + " are there; copy it again, or record it again");
 
     return rest.substr (0, isPlaceholder (size) && ! isEmpty && size != rest.size() ? rest.size() : size);

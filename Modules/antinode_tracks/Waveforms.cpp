@@ -18,7 +18,7 @@ void requirePath (const Surface& surface, const TouchedPoint& point, const std::
     double length = 0;
 
     if (point.finger && ! point.path.empty())
-        throw InputError (which + " finger", "moves, which loads the surface elsewhere at every time; allowed: a path "
+        throw InputError (which + " finger", "moves, and so does its load; allowed: a path "
                                              "without a finger, or a finger that stays");
 
     for (std::size_t i = 0; i < point.path.size(); ++i)

@@ -98,13 +98,12 @@ ReportPage calibrationReport (const ModalModel& model, const AmplifierMeasuremen
     ReportSection section;
     section.heading = "Amplifiers";
     section.paragraphs = {
-        "device.json inverts the gains: designs for it ask for voltages that come out right, within the limits of the "
-        "ceramics. Its ceramics keep low-pass and delay as their lag: filters before the outputs undo it, and all "
-        "happens a little later. Not inverted: hysteresis of the ceramics, which monitors of amplifiers do not show; "
-        "antinode hysteresis does it."
+        "Designs for device.json compensate for the gains, within the limits of the ceramics. Its ceramics keep "
+        "low-pass and delay as their lag: filters before the outputs compensate for it with a small delay. Not "
+        "included: hysteresis of the ceramics, which monitors of amplifiers do not show; see antinode hysteresis."
     };
     section.figures.push_back (
-        { "Volts at the ceramic over volts that were asked for.", {}, gainChart (model, measurement) });
+        { "Voltage at the ceramic over the requested voltage.", {}, gainChart (model, measurement) });
     ReportTable table { "Each amplifier",
                         { "ceramic", "gain", "bandwidth (kHz)", "delay (us)", "late at the highest line (us)",
                           "not fitted (%)" },
@@ -124,7 +123,7 @@ ReportPage calibrationReport (const ModalModel& model, const AmplifierMeasuremen
     ReportPage page;
     page.title = "Amplifiers of " + model.name;
     page.scores = { { "Differ in time by", fixedText (latenessRange (measurement) * micro, 2) + " us",
-                      "At the highest line; undone before the outputs." } };
+                      "At the highest line; compensated before the outputs." } };
     page.sections = { std::move (section) };
     page.links = { { "calibration.json", "calibration.json" }, { "device.json", "device.json" } };
     page.footer = "Antinode " ANTINODE_VERSION ".";
@@ -137,8 +136,7 @@ void writeCalibration (const std::filesystem::path& path, const DeviceDescriptio
 {
     const auto calibrated = throughAmplifiers (model, amplifiersOf (measurement));
     OutputFolder folder (path);
-    folder.write ("device.json",
-                  changedDeviceText (device, model, calibrated, "With its amplifiers as they were measured"));
+    folder.write ("device.json", changedDeviceText (device, model, calibrated, "With its measured amplifiers"));
     folder.write ("calibration.json", calibrationToJson (model, measurement).dump (2) + "\n");
     folder.write ("report.html", renderReport (calibrationReport (model, measurement)));
     folder.commit();

@@ -163,7 +163,7 @@ void addDevicesCommand (CLI::App& app)
     auto options = std::make_shared<DevicesOptions>();
     addFields (*command,
                { Field ("--materials", &options->showsMaterials,
-                        "Lists the built-in materials with their values, what scatters, and their sources"),
+                        "Lists the built-in materials with values, scatter and sources"),
                  Field ("--focuses", &options->showsFocuses, "Lists the embedded focuses").without ("--materials"),
                  Field ("--show", &options->shown,
                         "Writes an embedded device, focus or waveforms as JSON, as a starting point for new ones")

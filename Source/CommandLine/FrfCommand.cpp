@@ -70,8 +70,7 @@ void printOutcome (const HammerMeasurement& measurement)
                      100 * before);
 
     if (measurement.test.windowDecay > 0)
-        std::printf ("Exponential window of %.4g 1/s: identify takes its damping off again\n",
-                     measurement.test.windowDecay);
+        std::printf ("Exponential window of %.4g 1/s: identify subtracts its damping\n", measurement.test.windowDecay);
     else
         std::printf ("No exponential window: the motion has decayed at the end of a hit\n");
 

@@ -57,10 +57,9 @@ void addIdentifyCommand (CLI::App& app)
     append (
         all,
         { Field ("--out", &files.device, "Device file to write").written ("DEVICE.json"),
-          Field (
-              "--report", &files.report,
-              "Writes a report with figures and, beside it, a diagram to pick modes in a browser; default name: that "
-              "of the device file, .html")
+          Field ("--report", &files.report,
+                 "Writes a report with figures and a diagram to pick modes in a browser; default name: that "
+                 "of the device file, .html")
               .written ("FILE.html"),
           Field ("--uff", &files.universalFile, "Writes frequencies and shapes as a Universal File").written ("FILE"),
           Field ("--transfer", &files.transferred,

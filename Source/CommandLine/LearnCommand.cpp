@@ -26,7 +26,7 @@ void printLearnt (const LearntDevice& device, const std::string& folder)
                      100 * learnt.learnt.unexplained, learnt.learnt.residual);
 
     if (learnt.learnt.heldBackBefore > 0)
-        std::printf ("  sensors held back: %.2g %% not predicted by the others, %.2g %% by the device as it was\n",
+        std::printf ("  sensors held back: %.2g %% not predicted by the others, %.2g %% by the previous device\n",
                      100 * learnt.learnt.heldBack, 100 * learnt.learnt.heldBackBefore);
 
     if (! learnt.refusal.empty())
@@ -45,7 +45,7 @@ std::vector<Field> audioFields (LearnRequest& request)
 {
     std::vector<Field> all {
         Field ("--play", &request.isPlayed,
-               "Plays and records through an audio device: ceramics from output 1 on, sensors as --sensor-input says")
+               "Plays and records through an audio device: ceramics from output 1 up, sensors at --sensor-input")
             .as ({}),
         Field ("--idle-ma-per-v", &request.idleScale, "Current of an idle ceramic per volt at its input, mA per V")
             .within (1e-9, 1e9)

@@ -60,7 +60,7 @@ std::string wholePage (const CLI::App& app, const std::string& page)
          app.get_subcommands ([] (const CLI::App* each) { return ! each->get_group().empty(); }))
     {
         if (! prose.contains (command->get_name()))
-            throw InputError ("manual page", "says nothing of the command '" + command->get_name() + "'");
+            throw InputError ("manual page", "does not describe the command '" + command->get_name() + "'");
 
         head += prose[command->get_name()];
 
@@ -78,7 +78,7 @@ void addManualPageCommand (CLI::App& app)
     auto* command =
         app.add_subcommand ("manual-page", "Adds the options of all commands to a page for man")->group ({});
     auto file = std::make_shared<std::string>();
-    command->add_option ("file", *file, "Page that says what each command does")->required();
+    command->add_option ("file", *file, "Page that describes each command")->required();
     command->callback ([&app, file]
                        { std::fputs (wholePage (app, readWholeFile (*file, { "a page for man" })).c_str(), stdout); });
 }

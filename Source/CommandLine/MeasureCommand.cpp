@@ -52,7 +52,7 @@ void addMeasureCommand (CLI::App& app)
     auto& request = options->request;
     std::vector<Field> all {
         Field ("--checklist", &options->onlyChecks,
-               "Writes what to connect, to check and to expect for this device and these points, plays nothing"),
+               "Writes a checklist of connections and expected values for this device and these points; plays nothing"),
         Field ("--no-questions", &options->asksNoQuestions, "Measures all points without asking"),
         Field ("--simulate", &options->isSimulated,
                "Measures on a simulated bench with the device's modes, noise and delay"),

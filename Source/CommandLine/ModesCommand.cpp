@@ -91,13 +91,12 @@ void printTable (const ModalModel& model)
     }
 
     if (modelError)
-        std::printf ("Errors are relative: of the numerical solution; of the model, what devices usually differ from "
-                     "their description by.\n");
+        std::printf ("Errors are relative: of the numerical solution; of the model, the usual difference of devices "
+                     "from their description.\n");
 
     if (model.origin.source == ModeSource::drawn)
-        std::printf (
-            "Drawn, not measured: 'antinode retune' with responses of six points gives frequencies, damping and "
-            "strengths of the device itself.\n");
+        std::printf ("Drawn, not measured: 'antinode retune' with responses of six points gives frequencies, damping "
+                     "and participations of the device itself.\n");
 
     for (const auto& warning : model.warnings)
         std::printf ("%s\n", warning.c_str());

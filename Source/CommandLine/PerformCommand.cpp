@@ -45,11 +45,11 @@ void printPerformed (const PerformOptions& options, const PerformedWaveforms& pe
                      device.c_str(), performed.felt.targets[p].level);
     }
 
-    std::printf ("  error: what a finger should not feel over the strongest track, %s to %s Hz\n",
+    std::printf ("  error: unwanted motion at a finger over the strongest track, %s to %s Hz\n",
                  inWords (description.band.lower).c_str(), inWords (description.band.upper).c_str());
 
     if (! performed.expected.empty())
-        std::printf ("  device: the error to expect on the device itself, by where its modes come from\n");
+        std::printf ("  device: the expected error on the device itself, by the origin of its modes\n");
 
     if (const auto& correction = performed.correction)
     {
@@ -90,7 +90,7 @@ void addPerformCommand (CLI::App& app)
               Field ("--design", &options->hasDesign,
                      "Also writes design.json: the voltages as the plug-in and render --design play them"),
               Field ("--played", &options->request.played,
-                     "Judges voltages recorded elsewhere, as in a host: WAV, one channel per ceramic, 1.0 = full "
+                     "Evaluates voltages recorded elsewhere, as in a host: WAV, one channel per ceramic, 1.0 = full "
                      "scale")
                   .written ("FILE")
                   .without ("--latency-ms")

@@ -123,7 +123,7 @@ void printCurve (PlaceOptions options)
     const auto& focuses = options.request.focuses;
 
     if (focuses.empty())
-        throw InputError ("--counts", "needs --focus: it compares what focuses come to with each number of ceramics");
+        throw InputError ("--counts", "needs --focus: it compares the focuses for each number of ceramics");
 
     std::printf ("ceramics  peak voltage  field error  contrast  (the worst of %zu focuses)\n", focuses.size());
     std::fflush (stdout);
@@ -165,7 +165,7 @@ void addPlaceCommand (CLI::App& app)
     auto options = std::make_shared<PlaceOptions>();
     auto all = fields (options->request);
     append (all, { Field ("--counts", &options->counts,
-                          "With --focus: prints what each of these numbers of ceramics comes to")
+                          "With --focus: prints the result for each of these numbers of ceramics")
                        .written ("N", ',')
                        .within (1, 64),
                    Field ("--out", &options->file, "Device file to write").by ("DEVICE-placed.json"),

@@ -116,7 +116,7 @@ void printRanking (const std::vector<SeriesResult>& results, const RenderOfFocus
     std::printf ("All numbers: %s/scores.csv\n", options.folder.c_str());
 }
 
-/** Each focus into a folder of its own, and a table of all. What one of them cannot do does not stop the others. */
+/** Each focus into its own folder, and a table of all. What one of them cannot do does not stop the others. */
 void renderSeries (const RenderOfFocus& options, const std::vector<std::string>& assignments)
 {
     Progress progress (options.isQuiet);
@@ -162,7 +162,7 @@ std::vector<Field> outputFields (RenderOfFocus& options)
     return {
         Field ("--out", &options.folder, "Output folder"),
         quietField (options.isQuiet),
-        Field ("--design", &options.designFile, "Plays a design.json that was written before, in place of a focus")
+        Field ("--design", &options.designFile, "Plays an existing design.json instead of a focus")
             .written ("FILE")
             .without ("focus")
             .without ("--finger"),
@@ -185,7 +185,7 @@ void addRenderCommand (CLI::App& app)
     auto options = std::make_shared<RenderOfFocus>();
     auto all = fields (options->request);
     all.front().value = FocusSeries { &options->request.design.focus, &options->focuses };
-    all.front().text = "Focus: an embedded name or a .json file; several: each into a folder of its own";
+    all.front().text = "Focus: an embedded name or a .json file; several: each into its own folder";
     append (all, outputFields (*options));
     command->callback (
         [options, command, read = addFields (*command, all)]

@@ -20,9 +20,9 @@ void warnOfMisfit (const RetunedModel& retuned)
     const auto& errors = retuned.pointErrors;
 
     if (retuned.reconstructionError > quarter)
-        std::printf (
-            "  warning: more than a quarter of what was measured is not explained; are device, points, and order and "
-            "signs of the ceramics right?\n");
+        std::printf ("  warning: more than a quarter of the measured responses is not explained; are device, points, "
+                     "and order and "
+                     "signs of the ceramics right?\n");
 
     const auto usual = median ({ errors.begin(), errors.end() });
 

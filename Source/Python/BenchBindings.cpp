@@ -64,7 +64,7 @@ void bindExcitation (py::module_& module)
     using Value = ExcitationSheet;
     ResultClass<Value> (
         module, "Excitation",
-        "What all ceramics play to measure a device, one after the other: N_b ceramics, N_f lines. Made by "
+        "The signals that all ceramics play in turn to measure a device: N_b ceramics, N_f lines. Made by "
         ":func:`antinode.excite`.")
         .isShownAs (
             [] (const Value& value)
@@ -132,7 +132,7 @@ void bindEstimated (py::module_& module)
             [] (const py::object& self, int reference)
             { return viewOf (partOf (self.cast<const Value&>().coherence, reference, "reference"), self); },
             py::arg ("reference"))
-        .has ("warnings", "Sentences about the quality of the recordings, and what was assumed of them.",
+        .has ("warnings", "Sentences about the quality of the recordings and the assumptions.",
               [] (const Value& value) { return value.warnings; })
         .has ("hits", "How many hits of the hammer were used; 0 of an excitation.",
               [] (const Value& value) { return hitsOf (value, true); })
@@ -180,16 +180,15 @@ void bindRetuned (py::module_& module)
                 return "Retuned: " + std::to_string (std::count (found.begin(), found.end(), true)) + " of "
                        + std::to_string (found.size()) + " modes found";
             })
-        .has ("device", "The device as it is now; a drawn one stays one.",
+        .has ("device", "The updated device; a drawn one stays one.",
               [] (const Value& value) { return DeviceText { retunedDeviceText (value) }; })
         .has ("frequency_changes", "N_m: relative changes of the frequencies. A view.",
               [] (const Value& value) -> const Eigen::VectorXd& { return value.now.frequencyChanges; })
         .has ("damping_changes", "N_m: relative changes of the damping ratios. A view.",
               [] (const Value& value) -> const Eigen::VectorXd& { return value.now.dampingChanges; })
-        .has ("frequency_deviations", "N_m: standard deviations that are left, relative. A view.",
+        .has ("frequency_deviations", "N_m: remaining standard deviations, relative. A view.",
               [] (const Value& value) -> const Eigen::VectorXd& { return value.now.frequencyDeviations; })
-        .has ("participation_scales",
-              "N_b: by what each ceramic's participation was multiplied; 1 where it was not seen. A view.",
+        .has ("participation_scales", "N_b: factor of each ceramic's participation; 1 where it was not seen. A view.",
               [] (const Value& value) -> const Eigen::VectorXd& { return value.now.participationScales; })
         .has (
             "found", "N_m: whether the mode was seen; others moved with their neighbours.",
@@ -197,7 +196,7 @@ void bindRetuned (py::module_& module)
         .has ("delay_s", "The delay that all responses share, s.", [] (const Value& value) { return value.now.delay; })
         .has ("reconstruction_error_dB", "Measured minus synthesised over measured velocities, dB.",
               [] (const Value& value) { return value.now.reconstructionError; })
-        .has ("warnings", "What was assumed of the responses, as sentences.",
+        .has ("warnings", "Assumptions on the responses, as sentences.",
               [] (const Value& value) { return value.remarks; })
         .saves ("file", "Writes the device file of ``antinode retune``, the same bytes.",
                 [] (const Value& value, const Path& file) { writeWholeFile (file, retunedDeviceText (value)); });
@@ -299,7 +298,7 @@ void bindImported (py::module_& module)
 {
     using Value = ImportedDevice;
     ResultClass<Value> (module, "Imported",
-                        "A device of what a finite-element program computed: N_b ceramics. Made by "
+                        "A device from results of a finite-element program: N_b ceramics. Made by "
                         ":func:`antinode.import_device`.")
         .isShownAs (
             [] (const Value& value) {
@@ -310,17 +309,16 @@ void bindImported (py::module_& module)
               [] (const Value& value) { return DeviceText { importedDeviceText (value) }; })
         .has ("mass_kg", "The mass that the surface represents, from the norms of the shapes, kg.",
               [] (const Value& value) { return value.mass; })
-        .has ("total_mass_kg", "The mass as a table of the program says, kg; None: it does not.",
+        .has ("total_mass_kg", "The mass in the table of the program, kg; None: it has none.",
               [] (const Value& value) { return value.totalMass; })
         .has ("static_errors",
-              "N_b: what the modes leave of the static displacement by each ceramic, RMS, relative; empty: it is not "
-              "known.",
+              "N_b: residual of the static displacement by each ceramic, RMS, relative; empty: unknown.",
               [] (const Value& value) { return value.staticErrors; })
         .has ("modes_left_out", "How many modes do not move the surface along its normal.",
               [] (const Value& value) { return value.leftOut; })
         .has ("surface_nodes", "How many nodes the surface has, before they were thinned.",
               [] (const Value& value) { return value.nodesOfSurface; })
-        .has ("warnings", "Sentences about what speaks against the device.",
+        .has ("warnings", "Warnings about the device, as sentences.",
               [] (const Value& value) { return value.warnings; })
         .saves ("file", "Writes the device file of ``antinode import``, the same bytes.",
                 [] (const Value& value, const Path& file) { writeWholeFile (file, importedDeviceText (value)); });

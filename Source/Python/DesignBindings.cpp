@@ -109,14 +109,15 @@ void bindDesigned (py::module_& module)
               [] (const Value& value) -> const Eigen::VectorXd& { return value.made.design.target.field; })
         .has ("represented_field_m_s", "N_p: its part that the controlled modes represent, m/s. A view.",
               [] (const Value& value) -> const Eigen::VectorXd& { return value.made.design.truncatedField; })
-        .has ("predicted_field_m_s", "N_p: what the voltages do by the closed form, m/s (Docs/Theory.md, section 3.1).",
+        .has ("predicted_field_m_s",
+              "N_p: the field of the voltages by the closed form, m/s (Docs/Theory.md, section 3.1).",
               [] (const Value& value) { return Work (py::none()).run ([&] { return predictedField (value); }); })
         .has ("certificate",
               "How near the allocation is to the optimum: status, gap, bound, peak_ratio and more, as in "
               "``design.json``.",
               [document] (const Value& value) { return Json { document (value)["certificate"].dump() }; })
         .has ("numbers",
-              "All of ``design.json`` but its power: choices with reasons, warnings, controlled modes, lower bound.",
+              "All of ``design.json`` except its power: choices with reasons, warnings, controlled modes, lower bound.",
               [document] (const Value& value) { return Json { document (value).dump() }; })
         .does ("to_dict(self) -> dict[str, Any]",
                "All of ``design.json``, with the electrical power, which takes a render.",
@@ -198,13 +199,13 @@ void bindRendered (py::module_& module)
         .has ("voltages_V", "N_b x N_s: the voltages that ceramics act on, after the limiter, V. A view.",
               [] (const Value& value) -> const Eigen::MatrixXd& { return value.focus.render.voltages; })
         .has ("output_voltages_V",
-              "N_b x N_s: the voltages to play, V: the same, with lags of ceramics undone where the device has any. A "
+              "N_b x N_s: the voltages to play, V: the same, compensated for lags of ceramics if the device has any. A "
               "view.",
               [] (const Value& value) -> const Eigen::MatrixXd& { return outputVoltages (value.focus); })
         .has ("probes_mm", "N_probes x 2: x and y of the probes, mm.", &probesInMillimetres)
         .has ("probe_velocities_m_s", "N_probes x N_s: the velocity of the surface at the probes, m/s. A view.",
               [] (const Value& value) -> const Eigen::MatrixXd& { return value.focus.render.probeVelocities; })
-        .has ("modal_velocities", "Modes x N_s, m/s kg^1/2; of complex modes the imaginary parts lie behind. A view.",
+        .has ("modal_velocities", "Modes x N_s, m/s kg^1/2; imaginary parts of complex modes follow. A view.",
               [] (const Value& value) -> const Eigen::MatrixXd& { return value.focus.render.modalVelocities; })
         .has ("points_m", "N_p x 2: x and y of the points of the surface, m. A view.",
               [] (const Value& value) -> const Eigen::MatrixX2d& { return value.focus.model.surface.points; })
@@ -293,7 +294,7 @@ void bindTolerance (py::module_& module)
               "All of ``tolerance.json``: the spread, percentiles of all designs, and the largest causes of error.",
               [] (const Value& value) { return Json { toleranceNumbers (value).dump() }; })
         .has (
-            "causes", "What of the device causes the error, the largest first: mode (from 1), kind, field_error.",
+            "causes", "Causes of the error in the device, the largest first: mode (from 1), kind, field_error.",
             [] (const Value& value) { return Json { toleranceNumbers (value)["designs"].back()["causes"].dump() }; },
             "list[dict[str, Any]]")
         .saves ("folder",
@@ -330,12 +331,12 @@ void bindTradeoff (py::module_& module)
     using Value = DesignTradeoff;
     ResultClass<Value> (
         module, "Tradeoff",
-        "Designs of one focus by all methods and growths, or by the weight of what is felt elsewhere. Made "
+        "Designs of one focus by all methods and growths, or by the weight of felt levels elsewhere. Made "
         "by :func:`antinode.tradeoff`.")
         .isShownAs ([] (const Value& value)
                     { return "Tradeoff of '" + value.focus + "': " + std::to_string (value.designs()) + " designs"; })
         .has ("numbers",
-              "All of ``tradeoff.json``: the points, and the voltage that no waveform does with less than, V.",
+              "All of ``tradeoff.json``: the points, and the lower bound of the voltage for any waveform, V.",
               [] (const Value& value) { return Json { tradeoffDocument (value).dump() }; })
         .has (
             "points",
@@ -344,9 +345,8 @@ void bindTradeoff (py::module_& module)
             "with ``felt`` weight, peak_voltage_V, contrast_dB and more. ``failure`` says why there is no design.",
             [] (const Value& value) { return Json { tradeoffDocument (value)["points"].dump() }; },
             "list[dict[str, Any]]")
-        .has ("front",
-              "The points that no other one has both less voltage and less time than; none of a focus with ``felt``.",
-              &onFront, "list[dict[str, Any]]")
+        .has ("front", "The Pareto-optimal points in voltage and time; none for a focus with ``felt``.", &onFront,
+              "list[dict[str, Any]]")
         .saves ("folder",
                 "Writes the folder of ``antinode design --tradeoff``: ``tradeoff.json``, ``tradeoff.csv``, "
                 "``tradeoff.html``.",

@@ -149,10 +149,10 @@ std::string documented (const std::string& function, const TaskText& text, const
             documentation += "    " + argumentText (field) + ".\n";
 
     return documentation
-           + "    progress: a function of what is being done and its share, 0 to 1; True: a bar of tqdm where it is "
+           + "    progress: a function of the current step and its share, 0 to 1; True: a bar of tqdm if it is "
              "installed.\n\nReturns:\n    :class:`"
            + result
-           + "`.\n\nRaises:\n    InputError: something that was given is not allowed, or a file cannot be read.\n"
+           + "`.\n\nRaises:\n    InputError: an argument is not allowed, or a file cannot be read.\n"
              "    LimitError: a focus is not reached within the limits of the device.\n"
              "    KeyboardInterrupt: Ctrl+C.\n\nSource: "
            + text.source + ".\n";

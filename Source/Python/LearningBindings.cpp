@@ -48,7 +48,8 @@ std::vector<int> chosenCeramics (const SensorsOnDevice& value)
 void bindSensors (py::module_& module)
 {
     using Value = SensorsOnDevice;
-    ResultClass<Value> (module, "Sensors", "Places where N sensors tell most. Made by :func:`antinode.sensors`.")
+    ResultClass<Value> (module, "Sensors",
+                        "Places where N sensors give most information. Made by :func:`antinode.sensors`.")
         .isShownAs (
             [] (const Value& value)
             {
@@ -56,23 +57,23 @@ void bindSensors (py::module_& module)
                 return "Sensors: " + std::to_string (bits.size()) + " places, " + fixedText (bits.back(), 1) + " bits";
             })
         .has ("places_mm",
-              "N x 2: x and y, mm, the most telling place first: ``sensors_mm`` of :func:`antinode.learn`. Of an idle "
-              "ceramic its middle.",
+              "N x 2: x and y, mm, the most informative place first: ``sensors_mm`` of :func:`antinode.learn`. An idle "
+              "ceramic has its middle.",
               &chosenPlaces)
         .has ("idle_ceramics", "N: which ceramic each sensor is, counted from 1; 0: it is a place.", &chosenCeramics)
-        .has ("bits", "N: what the first one, two... of them tell together, bits.",
+        .has ("bits", "N: information of the first one, two... of them together, bits.",
               [] (const Value& value)
               {
                   const auto& bits = value.places.choice.bits;
                   return Eigen::VectorXd (Eigen::Map<const Eigen::VectorXd> (bits.data(), std::ssize (bits)));
               })
-        .has ("random_bits", "What as many sensors at random places tell, bits: the median.",
+        .has ("random_bits", "Information of as many sensors at random places, bits: the median.",
               [] (const Value& value) { return value.places.randomBits; })
         .has ("candidates_mm", "N_c x 2: x and y of the places that were compared, mm.",
               [] (const Value& value)
               { return Eigen::MatrixX2d (milli * value.places.cells.centres (value.places.cell, Eigen::all)); })
         .has ("candidate_bits",
-              "N_c and more: what one sensor alone tells there, then what each idle ceramic tells, bits. A view.",
+              "N_c and more: information of one sensor alone there, then of each idle ceramic, bits. A view.",
               [] (const Value& value) -> const Eigen::VectorXd& { return value.places.bits; })
         .has ("numbers", "All of ``summary.json``.",
               [] (const Value& value) { return Json { sensorsToJson (value.model, value.places).dump() }; })
@@ -80,12 +81,13 @@ void bindSensors (py::module_& module)
                 "Writes the folder of ``antinode sensors``: ``sensors.csv``, ``candidates.csv``, ``summary.json``, "
                 "``report.html``.",
                 [] (const Value& value, const Path& folder) { writeSensors (folder, value.model, value.places); })
-        .plots ("plot_sensors", "What one sensor tells by its place, with the chosen places, as a Matplotlib figure.")
+        .plots ("plot_sensors",
+                "Information of one sensor by its place, with the chosen places, as a Matplotlib figure.")
         .reports ([] (const Value& value) { return sensorsReport (value.model, value.places); });
     bindTask<SensorRequest> (module, "sensors", sensorsText, "Sensors", &sensors);
 }
 
-/** The design to play from now on, on the device as it was learnt. */
+/** The design to play from now on, on the learnt device. */
 std::shared_ptr<DesignedFocus> learntDesign (const LearntDevice& value)
 {
     return std::make_shared<DesignedFocus> (DesignedFocus { { value.learnt.wide, value.learnt.design },
@@ -113,9 +115,9 @@ void bindLearnt (py::module_& module)
                 return "Learnt '" + value.setup.focus.name + "': " + std::to_string (value.learnt.passes.size())
                        + " plays";
             })
-        .has ("design", "What to play from now on; :func:`antinode.render` plays it on the device as it was learnt.",
+        .has ("design", "What to play from now on; :func:`antinode.render` plays it on the learnt device.",
               &learntDesign, "Design")
-        .has ("device", "The device as it was learnt; a drawn one stays one.",
+        .has ("device", "The learnt device; a drawn one stays one.",
               [] (const Value& value) { return DeviceText { learntDeviceText (value) }; })
         .has ("voltages_V", "N_b x N_s: what to play next, V.",
               [] (const Value& value)
@@ -124,31 +126,27 @@ void bindLearnt (py::module_& module)
                       .run ([&] { return Eigen::MatrixXd (learntOutputs (value.learnt, value.settings).voltages); });
               })
         .has ("passes",
-              "The plays in their order: estimated_field_error_percent; surprise_of_noise, what the model of then did "
-              "not "
-              "predict; surprise_of_noise_nominal, what the device that was given does not; latency_ms, as it was "
-              "given or "
-              "found.",
+              "The plays in their order: estimated_field_error_percent; surprise_of_noise, not predicted by the model "
+              "of that time; surprise_of_noise_nominal, not predicted by the given device; latency_ms, given or found.",
               part ("passes"), "list[dict[str, float]]")
         .has ("ceramics",
-              "What was learnt of each ceramic, empty before the first play: name; distortion_percent, its cubic "
+              "Results for each ceramic, empty before the first play: name; distortion_percent, its cubic "
               "distortion "
               "at its largest voltage of the last play, above 0 where it moves more than in proportion; "
-              "distortion_deviation_percent, the standard deviation that is left of it.",
+              "distortion_deviation_percent, its remaining standard deviation.",
               part ("ceramics"), "list[dict[str, Any]]")
         .has ("is_accepted",
-              "Whether what was learnt is used; else ``design`` is one that was played, and ``refusal`` says why.",
+              "Whether the learnt modes are used; else ``design`` is one that was played, and ``refusal`` says why.",
               [] (const Value& value) { return value.learnt.refusal.empty(); })
-        .has ("refusal", "Why what was learnt is not used, a sentence; empty where it is.",
+        .has ("refusal", "Why the learnt modes are not used, a sentence; empty if they are.",
               [] (const Value& value) { return value.learnt.refusal; })
-        .has ("warning", "Why what is used may still be wrong, a sentence; empty where nothing is known against it.",
+        .has ("warning", "Why the used modes may still be wrong, a sentence; empty if no reason is known.",
               [] (const Value& value) { return warningOf (value.learnt); })
-        .has (
-            "frequency_deviations",
-            "N_m: relative standard deviations of the frequencies that are left. A view; empty before the first play.",
-            [] (const Value& value) { return ownModes (value, value.learnt.learnt.frequencyDeviations); })
+        .has ("frequency_deviations",
+              "N_m: remaining relative standard deviations of the frequencies. A view; empty before the first play.",
+              [] (const Value& value) { return ownModes (value, value.learnt.learnt.frequencyDeviations); })
         .has ("damping_deviations",
-              "N_m: relative standard deviations of the damping ratios that are left. A view; empty before the first "
+              "N_m: remaining relative standard deviations of the damping ratios. A view; empty before the first "
               "play.",
               [] (const Value& value) { return ownModes (value, value.learnt.learnt.dampingDeviations); })
         .has ("numbers", "All of ``summary.json``.",
@@ -214,7 +212,7 @@ void bindFollowed (py::module_& module)
                 return "Followed: " + std::to_string (std::lround (inPpm * last.common)) + " ppm in the end, "
                        + driftStateWord (last.state);
             })
-        .has ("device", "The device as it is in the end; a drawn one stays one.",
+        .has ("device", "The device at the end; a drawn one stays one.",
               [] (const Value& value) { return DeviceText { driftedDeviceText (value) }; })
         .has ("times_s", "N: the ends of the windows, s from the beginning of the recording.",
               byMoment ([] (const DriftMoment& moment) { return moment.time; }))
@@ -223,15 +221,15 @@ void bindFollowed (py::module_& module)
               wordsBy ([] (const DriftMoment& moment) { return driftStateWord (moment.state); }))
         .has ("reasons", "N: why a window is lost, a sentence; else empty.",
               wordsBy ([] (const DriftMoment& moment) { return moment.reason; }))
-        .has ("common_ppm", "N: by how much all frequencies are off the device together, ppm.",
+        .has ("common_ppm", "N: common deviation of all frequencies from the device, ppm.",
               byMoment ([] (const DriftMoment& moment) { return inPpm * moment.common; }))
-        .has ("frequency_changes_ppm", "N x N_m: by how much each frequency is off the device, ppm.",
+        .has ("frequency_changes_ppm", "N x N_m: deviation of each frequency from the device, ppm.",
               byMode (&DriftMoment::frequencies))
         .has ("frequency_deviations_ppm", "N x N_m: standard deviations of these, ppm.",
               byMode (&DriftMoment::deviations))
-        .has ("unexplained_percent", "N: what the model does not explain beyond the noise, % of the signals.",
+        .has ("unexplained_percent", "N: part of the signals that the model does not explain beyond the noise, %.",
               byMoment ([] (const DriftMoment& moment) { return inPercent * moment.unexplained; }))
-        .has ("jumps_percent", "N: the jump of all frequencies that had to be searched for, %; 0: none.",
+        .has ("jumps_percent", "N: the jump of all frequencies that was found, %; 0: none.",
               byMoment ([] (const DriftMoment& moment) { return inPercent * moment.jump; }))
         .has ("numbers", "All of ``summary.json``.",
               [] (const Value& value) { return Json { driftToJson (value.trace).dump() }; })

@@ -141,8 +141,8 @@ void bindModes (py::module_& module)
               [] (const Value& value) { return value.model.warnings; })
         .does (
             "shapes_at(self, x_mm: float, y_mm: float = 0.0) -> Floats",
-            "The shapes of all modes at one place, kg^-1/2: N_m values, or 2 N_m of complex modes, imaginary parts "
-            "behind.\n\nRaises:\n    InputError: the place is outside the surface.\n\n"
+            "The shapes of all modes at one place, kg^-1/2: N_m values, or 2 N_m for complex modes, imaginary parts "
+            "last.\n\nRaises:\n    InputError: the place is outside the surface.\n\n"
             "Source: Docs/Theory.md, section 1.5.",
             [] (const Value& value, double x, double y)
             { return arrayOf (Eigen::VectorXd (shapesAt (value.model, x / milli, y / milli).transpose())); },

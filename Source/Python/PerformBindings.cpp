@@ -45,13 +45,13 @@ void bindPerform (py::module_& module)
         .has ("voltages_V", "N_b x N_s: the voltages that ceramics act on, V. A view.",
               [] (const Value& value) -> const Eigen::MatrixXd& { return value.design.voltages.values; })
         .has ("output_voltages_V",
-              "N_b x N_s: the voltages to play, V: the same, with lags of ceramics undone where the device has any. A "
+              "N_b x N_s: the voltages to play, V: the same, compensated for lags of ceramics if the device has any. A "
               "view.",
               [] (const Value& value) -> const Eigen::MatrixXd& { return outputVoltages (value); })
         .has ("displacements_m",
-              "N_f x samples: what the surface did at the fingers, m; it goes on while the surface rings. A view.",
+              "N_f x samples: motion of the surface at the fingers, m, including the ringing. A view.",
               [] (const Value& value) -> const Eigen::MatrixXd& { return value.played.displacements; })
-        .has ("wanted_m", "Samples from the trigger on x N_f: what was wanted, m. A view.",
+        .has ("wanted_m", "Samples from the trigger on x N_f: the wanted motion, m. A view.",
               [] (const Value& value) -> const Eigen::MatrixXd& { return value.design.wanted; })
         .has ("scores", "All numbers of ``summary.json``: errors, levels and volts.",
               [] (const Value& value) { return Json { performedToJson (value).dump() }; })
@@ -62,7 +62,7 @@ void bindPerform (py::module_& module)
             [] (const Value& value, const std::filesystem::path& folder, bool hasReport)
             { workAway ([&] { writePerformed (folder, value, { hasReport }); }); },
             py::arg ("folder"), py::kw_only(), py::arg ("report") = true)
-        .plots ("plot_fingers", "What each finger feels over time as a Matplotlib figure, with what was wanted.");
+        .plots ("plot_fingers", "The motion at each finger over time as a Matplotlib figure, with the wanted motion.");
     bindTask<PerformRequest> (module, "perform", performText, "Performed", &perform);
 }
 } // namespace antinode

@@ -190,7 +190,8 @@ void bindSwept (py::module_& module)
         .has ("columns", "N_r recorded numbers, with their units, as the head of ``results.csv`` has them.",
               [] (const Value& value) { return value.table.columns; })
         .has (
-            "values", "N_c x N_r: what was recorded, in the units of ``columns``; NaN where a case has none. A view.",
+            "values",
+            "N_c x N_r: the recorded numbers, in the units of ``columns``; NaN where a case has none. A view.",
             [](const Value& value) -> const auto& { return value.table.values; })
         .has ("errors", "The sentences of the cases (from 0) that could not be computed.", &errorsOf, "dict[int, str]")
         .has ("summary", "All numbers of ``summary.json``: percentiles, correlations.",

@@ -56,7 +56,7 @@ TEST_CASE ("frf turns a recording of a hammer into responses, which identify rea
     REQUIRE (run.exitCode == 0);
     CHECK (run.output.find ("hit1.wav: 1 of 1 hits used") != std::string::npos);
     CHECK (run.output.find ("hit 1 at 0.030 s left out: double hit: 3") != std::string::npos);
-    CHECK (run.output.find ("identify takes its damping off again") != std::string::npos);
+    CHECK (run.output.find ("identify subtracts its damping") != std::string::npos);
 
     const auto report = test::readContent (path / "report" / "report.html");
     CHECK (report.find ("Spectrum of the force") != std::string::npos);

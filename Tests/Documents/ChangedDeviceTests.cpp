@@ -299,7 +299,7 @@ TEST_CASE ("A base says what is drawn, the device all else", "[files]")
         return std::string();
     };
     CHECK (errorAfter ("base.limits={\"voltage_V\": 500}")
-           == "my.json: /base/limits: stands in the base; allowed: in the device that has the base");
+           == "my.json: /base/limits: is in the base; allowed: in the device that has the base");
     CHECK_THAT (errorAfter ("base.kind=modal"),
                 Catch::StartsWith ("my.json: /base/kind: is the text 'modal'; allowed: "));
     CHECK (errorAfter ("modes.1.base_mode=2")

@@ -76,7 +76,7 @@ TEST_CASE ("Moduli by table and by Prony's series", "[files]")
 
 TEST_CASE ("Mistakes in layers say where and what is allowed", "[files]")
 {
-    CHECK (errorOfLaminate ("/thickness_mm", 1) == "my.json: /thickness_mm: stands beside 'layers', which give it");
+    CHECK (errorOfLaminate ("/thickness_mm", 1) == "my.json: /thickness_mm: is given with 'layers', which define it");
     CHECK (errorOfLaminate ("/theory", "mindlin").find ("my.json: /theory: is 'mindlin', but a laminate") == 0);
     CHECK (errorOfLaminate ("/theory", "mindlinn").find ("did you mean 'mindlin'?") != std::string::npos);
     CHECK (errorOfLaminate ("/layers/0/material", "OCAA")

@@ -87,7 +87,7 @@ TEST_CASE ("A touched point stays at its place or has a path", "[documents][trac
     CHECK_THAT (refusal (document), Catch::Contains ("/silent/0") && Catch::Contains ("'x_mm' and 'path'"));
     document["silent"][0].erase ("x_mm");
     document["silent"][0]["y_mm"] = 70;
-    CHECK_THAT (refusal (document), Catch::Contains ("has 'y_mm' beside 'path'"));
+    CHECK_THAT (refusal (document), Catch::Contains ("has both 'y_mm' and 'path'"));
     document["silent"][0].erase ("y_mm");
     document["silent"][0]["path"].erase (1);
     CHECK_THAT (refusal (document), Catch::Contains ("/silent/0/path"));

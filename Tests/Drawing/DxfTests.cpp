@@ -136,7 +136,7 @@ TEST_CASE ("Every fault of a drawing has one sentence that says what is wrong an
         { svg (R"(<path d="M0 0 L30 30 30 0 0 30z"/>)"), "crosses or touches itself at (15, 85) mm" },
         { svg (R"(<circle r="1cm"/>)"), "r is '1cm'; allowed: a number without unit" },
         { svg ("<g transform='turn(3)'><circle r='1'/></g>"), "transform is 'turn(3)'" },
-        { svg (R"(<polygon points="1 2 3"/>)"), "points are no list of pairs" },
+        { svg (R"(<polygon points="1 2 3"/>)"), "points are not a list of pairs" },
         { svg (R"(<use href="#a"/>)"), "is a clone" },
     };
 

@@ -117,7 +117,7 @@ TEST_CASE ("Low-passes of points are named so where there are as many drivers", 
 
     const auto modes =
         identify (throughLowPasses (lowestModes (knownBeam (7, 5, 5), 5), lines (200, 3500, 2), timeConstants), {});
-    CHECK_THAT (allWarnings (modes), Catch::Contains ("off the responses: point 1 at 1"));
+    CHECK_THAT (allWarnings (modes), Catch::Contains ("from the responses: point 1 at 1"));
 }
 
 TEST_CASE ("A low-pass of many modes is not taken for complex modes", "[identification]")

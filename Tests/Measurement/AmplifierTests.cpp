@@ -86,13 +86,14 @@ TEST_CASE ("Amplifiers in front of ceramics scale participations, lower limits a
                })
            == "amplifier: stands in front of '" + with.ceramics[0].name
                   + "' already; allowed: the device as it was before it was calibrated");
-    CHECK (errorText (
-               [&] {
-                   throughAmplifiers (model, { { 1, 0, 0.02 }, {} });
-               })
-           == "amplifier: of '" + model.ceramics[0].name
-                  + "' is late by more than devices can say; allowed: up to 10 ms after the first one, and as long a "
-                    "time constant");
+    CHECK (
+        errorText (
+            [&] {
+                throughAmplifiers (model, { { 1, 0, 0.02 }, {} });
+            })
+        == "amplifier: of '" + model.ceramics[0].name
+               + "' is later than a device file can describe; allowed: up to 10 ms after the first one, and as long a "
+                 "time constant");
     CHECK (with.ceramics[0].voltageLimit == Approx (model.ceramics[0].voltageLimit / 1.25));
     CHECK (with.ceramics[1].voltageLimit == model.ceramics[1].voltageLimit);
     CHECK (errorText ([&] { throughAmplifiers (model, { amplifier }); })

@@ -317,7 +317,7 @@ TEST_CASE ("The unit of a MATLAB file stands in the structure of its responses",
     CHECK (readFrom (testlab).responses[0].unit.factor == Approx (9.80665 / 4.4482216));
     const auto unknown = readFrom ({ vectorOf ("f", tens), responsesOf ("H", { 1 }), textOf ("unit", "furlong/N") });
     REQUIRE (unknown.remarks.size() == 1);
-    CHECK (unknown.remarks[0].starts_with ("a.mat: 'furlong/N' is no known unit"));
+    CHECK (unknown.remarks[0].starts_with ("a.mat: 'furlong/N' is not a known unit"));
 }
 
 TEST_CASE ("MATLAB files of level 4 are read as libmatio writes them", "[files][matlab]")

@@ -131,7 +131,7 @@ TEST_CASE ("Units stand in headings in many forms, and a label that is not known
     CHECK (csvHeading ("P3 (m/s^2)/N real").point == "p3");
     const auto table = merged ({ { "a.csv", "f,Real (furlong/N),Imag (furlong/N)\n1,1,0\n2,1,0\n" } });
     REQUIRE_FALSE (table.remarks.empty());
-    CHECK (table.remarks[0].starts_with ("a.csv: 'furlong/N' is no known unit"));
+    CHECK (table.remarks[0].starts_with ("a.csv: 'furlong/N' is not a known unit"));
 
     UniversalFunction function;
     function.functionType = 4;
@@ -145,7 +145,7 @@ TEST_CASE ("Units stand in headings in many forms, and a label that is not known
     function.denominator.unit = "stone";
     const auto other = measurementFromUniversal ({ function }, "a.uff");
     REQUIRE (other.remarks.size() == 1);
-    CHECK (other.remarks[0].starts_with ("a.uff: 'stone' is no known unit"));
+    CHECK (other.remarks[0].starts_with ("a.uff: 'stone' is not a known unit"));
 }
 
 TEST_CASE ("Displacement times i omega and acceleration over i omega are the same velocity", "[files][measurement]")

@@ -114,7 +114,7 @@ TEST_CASE ("channels of a WAV file have the names that they are given, and the n
                })
                .find ("0 channels of a force")
            != std::string::npos);
-    CHECK (errorText ([] { namedChannel ("3:q", "--channels"); }).find ("is no channel") != std::string::npos);
+    CHECK (errorText ([] { namedChannel ("3:q", "--channels"); }).find ("is not a channel") != std::string::npos);
 }
 
 TEST_CASE ("time records of a universal file belong together by their order, forces by their unit", "[hammer]")

@@ -125,7 +125,7 @@ TEST_CASE ("Keys that documents do not know, and results that no case has, are r
     CHECK_THAT (refusal (R"("record": ["v_score"], "vary": [{"key": "focus.colour", "values": [1]}])"),
                 Catch::Contains ("colour"));
     CHECK_THAT (refusal (R"("evaluate": "closed_form", "record": ["w_score"])"),
-                Catch::Contains ("'w_score' is no number of a case; allowed: 'modes_controlled'"));
+                Catch::Contains ("'w_score' is not the number of a case; allowed: 'modes_controlled'"));
     CHECK_THAT (refusal (R"("evaluate": "closed_form", "record": ["v_score"], "set": {"focus.targets.0.x_mm": 900})"),
                 Catch::Contains ("none of 16 cases"));
 }

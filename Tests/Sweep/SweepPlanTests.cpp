@@ -65,7 +65,7 @@ TEST_CASE ("A plan that is wrong is refused with one sentence that says where an
     vary (R"("key": "focus.x_mm", "normal": {"mean": 0, "standard_deviation": -1})", "standard_deviation: is -1");
     vary (R"("key": "focus.x_mm", "normal": {"mean": 0, "standard_deviation": 1, "minimum": 99})", "cut off");
     vary (R"("key": "focus.x_mm", "uniform": {"minimum": 2, "maximum": 1})", "is empty");
-    vary (R"("key": "x_mm", "values": [1])", "is no key");
+    vary (R"("key": "x_mm", "values": [1])", "is not a key");
     vary (R"("key": "deviation.colour_percent", "values": [1])", "is unknown");
     vary (R"("key": "focus.device", "values": ["beam"])", "focus.device");
     vary (R"("keys": ["focus.a", "focus.a"], "values": [[1, 2]])", "twice");

@@ -171,7 +171,7 @@ TEST_CASE ("Plans over waveforms that make no sense are refused with one sentenc
     CHECK_THAT (refusal (recorded + R"(, "set": {"waveforms.colour": 3})"), Catch::Contains ("colour"));
     CHECK_THAT (refusal (recorded + R"(, "latency_ms": 0)"), Catch::Contains ("/latency_ms"));
     CHECK_THAT (refusal (R"("record": ["fingers.7.level_dB_SL"])"),
-                Catch::Contains ("is no number of a case") && Catch::Contains ("'fingers.1.level_dB_SL'"));
+                Catch::Contains ("is not the number of a case") && Catch::Contains ("'fingers.1.level_dB_SL'"));
     writeWholeFile (folder.path() / "focus.json", R"({"schema": "antinode.sweep/1", "focus": "demonstrator",
         "record": ["v_score"], "latency_ms": 5})");
     CHECK_THAT (errorText ([&] { loadSweep (folder.path() / "focus.json"); }), Catch::Contains ("is of waveforms"));

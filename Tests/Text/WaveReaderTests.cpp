@@ -72,7 +72,7 @@ TEST_CASE ("Wrong or truncated WAV files are refused with a reason")
 
     CHECK (
         error (whole.substr (0, whole.size() - 5))
-        == "a.wav: is cut off: its heading says 80 bytes of samples, 75 are there; copy it again, or record it again");
+        == "a.wav: is cut off: its header gives 80 bytes of samples, 75 are there; copy it again, or record it again");
     CHECK (error ("riff" + std::string (60, 'x')).starts_with ("a.wav: is a Wave64 file; allowed: WAV, RF64 and BW64"));
 }
 

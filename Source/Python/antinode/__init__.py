@@ -12,7 +12,7 @@ plot() gives a figure of Matplotlib.
 
 Documents:  device, focus, waveforms: from a name, a file or a dict; names lists the embedded ones.
 Foci:       design, render (a design that is played), tolerance, tradeoff, map; perform: a waveform per finger.
-Cases:      sweep, sampled (plans that cover what varies evenly), sobol_indices.
+Cases:      sweep, sampled (plans that cover the ranges evenly), sobol_indices.
 Devices:    device(...).modes(), place (ceramics), import_device (finite elements).
 Benches:    excite, frf, measure (simulated), identify, retune, sensors, learn, follow.
 

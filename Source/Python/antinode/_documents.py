@@ -99,7 +99,7 @@ class Device(Document, Pictured):
         """The modes of the device, as ``antinode modes`` lists them.
 
         Args:
-            count: how many flexible modes; None: as the device says.
+            count: number of flexible modes; None: that of the device.
             cache: False: solved without reading or writing the user's cache.
 
         Returns:
@@ -139,7 +139,7 @@ class Focus(Document):
 
 
 class Waveforms(Document):
-    """What each finger is to feel. Made by :func:`antinode.waveforms`."""
+    """The wanted waveform of each finger. Made by :func:`antinode.waveforms`."""
 
     def __init__(self, core: _antinode.Waveforms) -> None:
         self._core = core
@@ -205,7 +205,7 @@ def focus(
         focus_time_ms: from the trigger to the focus, ms.
         method: of the allocation: 'exact', 'minimum_peak', 'dictionary', 'least_voltage', ...
         voltage_limit_V: for every ceramic, V; never more than the device allows.
-        brake_duration_ms: all is at rest so long after the focus, ms.
+        brake_duration_ms: all modes are at rest this long after the focus, ms.
         changes: values of other keys below the first level, ``{"targets.1.x_mm": 60, "transients.cycles": 20}``.
         **keys: values of other keys of the file: ``fingers=[{"x_mm": 24}]``, ``modes={"count": 8}``.
 

@@ -140,7 +140,7 @@ def plot_tradeoff(tradeoff: Tradeoff) -> Any:
 
 
 def plot_sensors(sensors: Sensors) -> Any:
-    """What one sensor tells by its place, and the places that were chosen."""
+    """Information of one sensor by its place, and the chosen places."""
     x, y = sensors.candidates_mm[:, 0], sensors.candidates_mm[:, 1]
     bits = sensors.candidate_bits[: len(x)]
     figure, axes = _figure(1, 1, (7.6, 4.4))
@@ -172,7 +172,7 @@ def plot_passes(learnt: Learnt) -> Any:
 
 
 def plot_drift(followed: Followed) -> Any:
-    """The change that all frequencies share over time, with gaps where it was not followed."""
+    """The common change of all frequencies over time, with gaps where it was not followed."""
     figure, axes = _figure(1, 1, (7.6, 4.0))
     changes = [
         change if state == "following" else float("nan") for change, state in zip(followed.common_ppm, followed.states)

@@ -17,7 +17,7 @@ Index = dict[str, dict[str, float]]
 
 
 def sampled(plan: Mapping[str, Any], scheme: str, cases: int, *, seed: int = 1) -> dict[str, Any]:
-    """A plan of a sweep whose cases cover what varies evenly, with listed values in place of distributions.
+    """A plan of a sweep whose cases cover the ranges evenly, with listed values instead of distributions.
 
     :func:`sweep`, the command ``antinode sweep`` and its shards take it as any other plan.
 
@@ -53,7 +53,7 @@ def sampled(plan: Mapping[str, Any], scheme: str, cases: int, *, seed: int = 1) 
 
 
 def sobol_indices(results: Floats, keys: Sequence[str], *, seed: int = 1) -> dict[str, Index]:
-    """What share of the variance of a result each key explains: alone, and with all that it does together with others.
+    """The share of the variance of a result that each key explains: alone, and together with others.
 
     Args:
         results: N_c: a result in the order of the cases of ``sampled (plan, "saltelli", ...)``. Base cases of which one

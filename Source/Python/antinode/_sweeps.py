@@ -38,7 +38,7 @@ def sweep(
             has computed it: this function, the command, or its shards. None: nothing is kept.
         threads: cases at once on this computer, 1 to 1024; None: one per processor.
         cache: False: devices are solved without the user's cache.
-        progress: a function of what is being done and its share, 0 to 1; True: a bar of tqdm where it is installed.
+        progress: a function of the current step and its share, 0 to 1; True: a bar of tqdm if it is installed.
 
     Returns:
         :class:`Swept`: ``values``, ``column(name)``, ``summary``, ``save(folder)``; the same bytes for any number of

@@ -8,7 +8,7 @@ __all__ = ["InputError", "LimitError"]
 
 
 class InputError(ValueError):
-    """Something that was given is not allowed.
+    """An argument is not allowed.
 
     The text is one sentence: where, what is wrong, what is allowed, as ``antinode`` prints it.
     """
@@ -20,10 +20,10 @@ class LimitError(InputError):
     The numbers that the sentence gives are attributes; those that do not apply are None.
 
     Attributes:
-        minimum_peak_voltage_V: what the drives of the focus need at least, V.
+        minimum_peak_voltage_V: the lowest voltage that the drives of the focus need, V.
         reachable_velocity_m_s: the peak velocity that the limit allows, m/s.
         reachable_share: of tracks, the share of the wanted levels that the limits allow.
-        bound_share: of tracks, for that share no voltages of any form do with less than this share of the limits.
+        bound_share: of tracks, no voltages of any form reach that share with less than this share of the limits.
     """
 
     def __init__(
