@@ -15,66 +15,38 @@ constexpr double usualRate = 48000; // Hz, before a host says it
 } // namespace
 
 EditorContent::EditorContent (AntinodeProcessor& processorToShow)
-    : processor (processorToShow), past (processor), presets (processor, past), top (processor, past),
-      surfaceView (processor, past), section ("Section along x"), spectrum ("Modal spectrum"),
-      felt ("Sensation level over the whole event"), voltages ("Voltages with their limits"),
-      methods ("Peak voltage by several methods"), bank ("Peak voltage of the notes' places"),
-      probe (processor.session().probeTrace()),
+    : WindowContent ("Antinode", { { 800, 500, 1700, 1000 }, 1280, 800, 60, 48 }), processor (processorToShow),
+      past (processor), presets (processor, past), commands (bar, processor, past), surfaceView (processor, past),
+      section ("Section along x"), spectrum ("Modal spectrum"), felt ("Sensation level over the whole event"),
+      voltages ("Voltages with their limits"), methods ("Peak voltage by several methods"),
+      bank ("Peak voltage of the notes' places"), probe (processor.session().probeTrace()),
       drift ({ processor.session().following(), [this] { return processor.session().snapshot()->model; },
                [this] (const auto& wanted)
                { past.record ([this, &wanted] { processor.session().following().setSettings (wanted); }); },
                [this] { past.resetDrift(); } }),
       settings ({ [this] { return processor.session().isGraphOpen(); },
                   [this] (bool isOpen) { processor.session().setGraphOpen (isOpen); } }),
-      parameters (processor), meters (processor, past), browser (std::make_unique<PresetPanel> (presets)),
-      tooltips (this, 600)
+      parameters (processor), meters (processor, past), browser (std::make_unique<PresetPanel> (presets))
 {
-    juce::LookAndFeel::setDefaultLookAndFeel (&fonts.get());
-    setLookAndFeel (&look);
-    setTitle ("Antinode");
     setWantsKeyboardFocus (true);
     setFocusContainerType (FocusContainerType::keyboardFocusContainer);
     parameterView.setViewedComponent (&parameters, false);
     parameterView.setScrollBarsShown (true, false);
-    top.onBrowse = [this] (LibraryKind kind) { browse (kind); };
-    top.onFire = [this] { fire(); };
-    top.onStop = [this] { processor.session().stopAll(); };
-    top.onTheme = [this] { setDark (! isDark()); };
-    top.onUndo = [this] { undo(); };
-    top.onRedo = [this] { redo(); };
+    commands.onBrowse = [this] (LibraryKind kind) { browse (kind); };
+    commands.onFire = [this] { fire(); };
+    commands.onStop = [this] { processor.session().stopAll(); };
+    commands.onUndo = [this] { undo(); };
+    commands.onRedo = [this] { redo(); };
     surfaceView.onFire = [this] { fire(); };
     surfaceView.fingers().say = [this] (const juce::String& sentence) { status.say (sentence); };
-    status.onHeight = [this] { resized(); };
     browser->onClose = [this] { browse (std::nullopt); };
 
-    for (juce::Component* const child :
-         { static_cast<juce::Component*> (&top), static_cast<juce::Component*> (&surfaceView),
-           static_cast<juce::Component*> (&section), static_cast<juce::Component*> (&time),
-           static_cast<juce::Component*> (&parameterView), static_cast<juce::Component*> (&upper),
-           static_cast<juce::Component*> (&lower), static_cast<juce::Component*> (&meters),
-           static_cast<juce::Component*> (&status) })
+    for (juce::Component* const child : std::initializer_list<juce::Component*> {
+             &surfaceView, &section, &time, &parameterView, &upper, &lower, &meters })
         addAndMakeVisible (child);
 
     addChildComponent (*browser);
-    // Children have looked for their look before they had us as a parent.
-    setDark (true);
-    setSize (sizes.leastWidth, sizes.leastHeight);
-    refresh (0);
-}
-
-EditorContent::~EditorContent()
-{
-    designs->stop();
-    setLookAndFeel (nullptr);
-}
-
-void EditorContent::setDark (bool isDark)
-{
-    look.setPalette (isDark ? Palette::dark() : Palette::light());
-    sendLookAndFeelChange();
-
-    if (onTheme)
-        onTheme();
+    begin();
 }
 
 void EditorContent::refresh (double seconds)
@@ -94,14 +66,8 @@ void EditorContent::refresh (double seconds)
     drift.refresh();
     settings.refresh();
     meters.refresh (seconds);
-    top.refresh (presets.loadedName (LibraryKind::device), presets.loadedName (LibraryKind::focus));
-    showMessages (seconds);
-}
-
-void EditorContent::showMessages (double seconds)
-{
-    status.show (editorMessages (processor, picture.get(), ! designs->isDone(),
-                                 moreMessages ? moreMessages() : std::vector<UserMessage>()),
+    commands.refresh (presets.loadedName (LibraryKind::device), presets.loadedName (LibraryKind::focus));
+    status.show (editorMessages (processor, picture.get(), ! designs->isDone(), messagesBeside()),
                  playedFigures (processor), seconds);
 }
 
@@ -295,8 +261,20 @@ void EditorContent::filesDropped (const juce::StringArray& files, int, int)
         status.say (presets.loadFile (files[0].toStdString()));
 }
 
-void EditorContent::paint (juce::Graphics& g)
+void installEditor()
 {
-    g.fillAll (look.palette().window);
+    AntinodeProcessor::makeEditor = [] (AntinodeProcessor& processor)
+    {
+        auto editor = editorAsLeft<EditorContent> (processor);
+        auto& content = editor->content();
+        auto& settings = content.settingsPanel();
+        settings.setScale (readPreferences().scale);
+        settings.onScale = [&content, shown = editor.get()] (double scale)
+        {
+            shown->setContentScale (scale);
+            keepPreferences ({ content.isDark(), scale });
+        };
+        return editor.release();
+    };
 }
 } // namespace antinode

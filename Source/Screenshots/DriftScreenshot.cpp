@@ -1,6 +1,6 @@
 #include "DriftScreenshot.h"
 
-#include <Editor/Editor.h>
+#include <Editor/EditorContent.h>
 
 #include <antinode_engine/PlateModel.h>
 #include <antinode_focus/Detuning.h>

@@ -1,6 +1,6 @@
 #include "PlateScreenshot.h"
 
-#include <Plate/PlateEditor.h>
+#include <Plate/PlateContent.h>
 #include <antinode_engine/VoltageSynthesiser.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/FocusDescription.h>

@@ -1,7 +1,7 @@
 #include "TouchScreenshot.h"
 
 #include <Standalone/MainComponent.h>
-#include <Touch/TouchEditor.h>
+#include <Touch/TouchContent.h>
 
 #include <antinode_library/Library.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Editor/Editor.h>
+#include <Editor/EditorContent.h>
 
 #include <Support/EditorTools.h>
 

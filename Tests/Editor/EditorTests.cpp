@@ -1,7 +1,5 @@
 #include "EditorFixture.h"
 
-#include <Editor/InstallEditor.h>
-
 #include <catch2/catch.hpp>
 
 #include <algorithm>

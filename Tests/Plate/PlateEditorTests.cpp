@@ -1,6 +1,6 @@
 #include "PlayedPlate.h"
 
-#include <Plate/PlateEditor.h>
+#include <Plate/PlateContent.h>
 
 #include <Support/BlockingActions.h>
 #include <Support/EditorTools.h>
@@ -25,10 +25,10 @@ TEST_CASE ("The plate's editor shows the surface at rest, then how it moved", "[
     auto& content = editor.content();
     refreshUntil (content, [&] { return content.picture() != nullptr; });
     CHECK (content.picture()->step == 0);
-    CHECK (content.picture()->field->frames->largest == 0);
+    CHECK (content.picture()->frames->largest == 0);
     moved (*processor, sines (16, 9600), 480);
     refreshUntil (content, [&] { return content.picture()->step > 0; });
-    const auto& frames = *content.picture()->field->frames;
+    const auto& frames = *content.picture()->frames;
     CHECK (frames.available() == PlatePath::capturedFrames);
     CHECK (frames.largest > 0);
     CHECK (content.picture()->step * (PlatePath::capturedFrames - 1) == Approx (PlatePath::capturedSeconds));
@@ -63,11 +63,11 @@ TEST_CASE ("The plate's editor says what is wrong in its status line", "[plate][
     const auto processor = offlinePlate (8, 48000, 480);
     PlateEditor editor (*processor);
     auto& content = editor.content();
-    content.loadDevice ("no-such-device");
+    content.deviceButton().loadDocument ("no-such-device");
     content.refresh (0);
-    CHECK (content.status().contains ("no-such-device"));
-    content.loadDevice ("glass-148x210");
-    refreshUntil (content, [&] { return content.status().contains ("ceramics"); });
+    CHECK (content.statusLine().text().contains ("no-such-device"));
+    content.deviceButton().loadDocument ("glass-148x210");
+    refreshUntil (content, [&] { return content.statusLine().text().contains ("ceramics"); });
 }
 
 TEST_CASE ("Closing Antinode Plate or its editor does not wait for what is computed", "[plate][editor][blocking]")

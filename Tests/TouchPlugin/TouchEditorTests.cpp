@@ -1,7 +1,7 @@
 #include "PlayedTouch.h"
 
-#include <Touch/LatencyVolts.h>
-#include <Touch/TouchEditor.h>
+#include <Touch/TouchContent.h>
+#include <Touch/TouchSentences.h>
 
 #include <Support/BlockingActions.h>
 #include <Support/EditorTools.h>
@@ -35,12 +35,12 @@ TEST_CASE ("The touch editor loads the focus that notes play, and says what is w
     const auto processor = offlineTouch (16, 48000, 480);
     TouchEditor editor (*processor);
     auto& content = editor.content();
-    content.loadFocus ("aluminium-centre");
+    content.focusButton().loadDocument ("aluminium-centre");
     REQUIRE (processor->focus() != nullptr);
     CHECK (processor->focus()->description.name == "aluminium-centre");
-    content.loadFocus ("no-such-focus");
+    content.focusButton().loadDocument ("no-such-focus");
     content.refresh (0.1);
-    CHECK (content.status().contains ("no-such-focus"));
+    CHECK (content.statusLine().text().contains ("no-such-focus"));
     CHECK (processor->focus()->description.name == "aluminium-centre");
 }
 
@@ -131,20 +131,21 @@ TEST_CASE ("The touch editor says what is wrong, and what goes on, in its status
     const auto processor = offlineTouch (4, 48000, 480);
     TouchEditor editor (*processor);
     auto& content = editor.content();
-    content.loadDevice ("no-such-device");
+    content.deviceButton().loadDocument ("no-such-device");
     content.refresh (0);
     const auto& messages = content.statusLine().messages();
     CHECK (std::any_of (messages.begin(), messages.end(),
                         [] (const auto& message)
                         { return message.text.find ("no-such-device") != std::string::npos; }));
-    content.loadDevice ("aluminium-200x120");
-    refreshUntil (content, [&] { return content.status().contains ("8 ceramics"); });
+    content.deviceButton().loadDocument ("aluminium-200x120");
+    refreshUntil (content, [&] { return content.statusLine().text().contains ("8 ceramics"); });
     processor->parameters().setValues ({ { "finger1_level", 100 } });
     REQUIRE (processor->setBusesLayout (touchLayout (2, 8)));
-    refreshUntil (content, [&] { return content.status().startsWith ("Loud: noise at these levels needs "); });
+    refreshUntil (content,
+                  [&] { return content.statusLine().text().startsWith ("Loud: noise at these levels needs "); });
     processor->parameters().arm() = false;
     content.refresh (0);
-    CHECK (content.status() == "Disarmed: all voltages are 0 V.");
+    CHECK (content.statusLine().text() == "Disarmed: all voltages are 0 V.");
 }
 
 TEST_CASE ("The touch editor shows what tracks the device, and undoes a reset", "[touch-plugin][editor][following]")

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <antinode_model/ModalModel.h>
+#include <antinode_session/LevelMeters.h>
+
 #include <juce_gui_basics/juce_gui_basics.h>
 
 #include <vector>
@@ -27,6 +30,9 @@ public:
 
     /** Levels and held values begin again: they were another device's. */
     void forget() { levels.assign (rows.size(), {}); }
+
+    /** The ceramics of a device, and their largest voltages since the last call. @param model  none: no rows */
+    void showVoltages (const ModalModel*, LevelMeters&, double seconds);
 
     /** @param values   one a row: the largest magnitudes since the last call
         @param seconds  since the last call */
