@@ -1,7 +1,8 @@
 #pragma once
 
 #include "History.h"
-#include "ParameterLink.h"
+#include "Palette.h"
+#include "ParameterControl.h"
 #include "TopBar.h"
 
 #include <antinode_library/Library.h>

@@ -14,12 +14,12 @@ constexpr double lowestLevel = -60; // dB below a full bar
 constexpr double fallPerSecond = 0.8, holdSeconds = 3;
 constexpr int rowHeight = 22, titleHeight = 24, levelMargin = 8;
 constexpr float columnGap = 20; // A value must not be read with the number of the row beside it.
-
-double clampedShare (double value, double full)
-{
-    return value > 0 && full > 0 ? std::clamp (1 - 20 * std::log10 (value / full) / lowestLevel, 0.0, 1.0) : 0.0;
-}
 } // namespace
+
+double levelShare (double value, double full, double lowest)
+{
+    return value > 0 && full > 0 ? std::clamp (1 - 20 * std::log10 (value / full) / lowest, 0.0, 1.0) : 0.0;
+}
 
 LevelRows::LevelRows (const juce::String& title, const juce::String& unitToShow, int decimalsToShow)
     : unit (unitToShow), decimals (decimalsToShow)
@@ -40,7 +40,8 @@ void LevelRows::refresh (const std::vector<double>& values, double seconds)
     for (std::size_t i = 0; i < std::min (values.size(), rows.size()); ++i)
     {
         auto& level = levels[i];
-        level.share = std::max (clampedShare (values[i], rows[i].full), level.share - fallPerSecond * seconds);
+        level.share =
+            std::max (levelShare (values[i], rows[i].full, lowestLevel), level.share - fallPerSecond * seconds);
         level.heldFor -= seconds;
 
         if (values[i] >= level.held || level.heldFor < 0)

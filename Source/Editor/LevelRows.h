@@ -9,6 +9,9 @@
 
 namespace antinode
 {
+/** How much of a bar a level fills, 0 to 1. @param lowest  dB from a full bar to an empty one, below 0 [any] */
+double levelShare (double value, double full, double lowest);
+
 /** Levels side by side or one below the other: each with a name, a bar that falls slowly, and the largest value of
     late. [message thread] */
 class LevelRows final : public juce::Component

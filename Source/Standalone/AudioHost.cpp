@@ -22,13 +22,15 @@ AudioHost::AudioHost (SettingsFile fileToUse, bool keepsSettings)
 
 AudioHost::~AudioHost() = default;
 
-void AudioHost::begin (juce::AudioProcessor& processor, MidiQueue& notes)
+void AudioHost::begin (DeviceProcessor& processor, StopCount& stops)
 {
     // However it was left: whoever starts the program arms it.
     arm().setValueNotifyingHost (0);
     played = &processor;
+    notes = std::make_unique<MidiQueue> (stops);
+    midiInputs = std::make_unique<MidiInputs> (*notes);
     audio = std::make_unique<AudioCallback> (
-        processor, outputRouter, notes,
+        processor, outputRouter, *notes,
         PlayedLevels { [this] { return fullScaleVolts(); }, [this] { return arm().get(); } });
     passRouting();
     played->addListener (this);
@@ -41,6 +43,7 @@ void AudioHost::end()
 {
     stopTimer();
     shutDown();
+    midiInputs = nullptr;
     deviceManager.removeAudioCallback (audio.get());
     deviceManager.removeChangeListener (this);
     played->removeListener (this);
@@ -70,6 +73,13 @@ void AudioHost::setRouting (const OutputRouting& routing)
     validate (routing);
     kept.routing = routing;
     passRouting();
+    triggerAsyncUpdate();
+}
+
+void AudioHost::setMidi (const MidiChoice& choice)
+{
+    kept.midi = choice;
+    midiInputs->choose (choice);
     triggerAsyncUpdate();
 }
 
@@ -108,6 +118,7 @@ juce::String AudioHost::message (MessageSource source) const
 
 void AudioHost::openAll (const StandaloneSettings& wanted)
 {
+    setMidi (wanted.midi);
     attempt (MessageSource::ports, [&] { setTouch (wanted.touch); });
 
     // A device that has other rates or fewer channels than last time is better than none.
@@ -168,8 +179,8 @@ std::vector<UserMessage> AudioHost::messages()
     for (const auto& [source, text] : failures)
         addMessage (messages, Urgency::warning, text);
 
-    for (auto& message : playerMessages())
-        messages.push_back (std::move (message));
+    for (const auto& more : { played->messages(), midiInputs->messages() })
+        messages.insert (messages.end(), more.begin(), more.end());
 
     addMessage (messages, Urgency::warning, silentCeramics().toStdString());
     return worstFirst (std::move (messages));

@@ -43,7 +43,7 @@ TouchHost::TouchHost (SettingsFile fileToUse, bool keepsSettings) : AudioHost (s
         player.setState (state, true);
     }
 
-    begin (player, midiQueue);
+    begin (player, player.session().stops());
     callback().setInputs (kept.inputs);
 }
 
@@ -87,13 +87,6 @@ void TouchHost::setTouch (const TouchPorts& ports)
     player.network().open (ports);
 }
 
-void TouchHost::openAll (const StandaloneSettings& wanted)
-{
-    kept.midi = wanted.midi;
-    midiInputs.choose (wanted.midi);
-    AudioHost::openAll (wanted);
-}
-
 /** What is kept has no touches: they are lifted first. */
 void TouchHost::shutDown()
 {
@@ -107,16 +100,6 @@ void TouchHost::keepState (StandaloneSettings& settings)
     auto state = player.state();
     state.parameters = withoutPorts (std::move (state.parameters));
     settings.touchState = std::move (state);
-}
-
-std::vector<UserMessage> TouchHost::playerMessages()
-{
-    auto messages = player.messages();
-
-    for (auto& message : midiInputs.messages())
-        messages.push_back (std::move (message));
-
-    return messages;
 }
 
 Eigen::VectorXd TouchHost::limits()
