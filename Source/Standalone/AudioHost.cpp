@@ -3,6 +3,7 @@
 #include <antinode_base/InputError.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace antinode
@@ -12,6 +13,11 @@ namespace
 constexpr int hostTickMilliseconds = 50;
 constexpr juce::uint32 retryMilliseconds = 2000;
 constexpr int rampPatience = 500; // ms, for the end of the ramp of a device that may have died
+
+juce::String portInWords (int port)
+{
+    return port > 0 ? "on port " + juce::String (port) : juce::String ("off");
+}
 } // namespace
 
 AudioHost::AudioHost (SettingsFile fileToUse, bool keepsSettings)
@@ -165,6 +171,27 @@ float AudioHost::takePeakVolts()
         peak = std::max (peak, meters().takePeak (i));
 
     return peak;
+}
+
+std::int64_t AudioHost::faultCount (const TouchCounters& counters)
+{
+    return std::accumulate (counters.faults.begin(), counters.faults.end(), std::int64_t());
+}
+
+juce::String AudioHost::touchStatus()
+{
+    const auto ports = openPorts();
+    const auto counters = touchCounters();
+    return "OSC " + portInWords (ports.oscPort) + ", TUIO " + portInWords (ports.tuioPort) + "\n"
+           + juce::String (counters.packets) + " packets, " + juce::String (counters.touches) + " touches forwarded\n"
+           + touchLines (counters);
+}
+
+std::string AudioHost::touchOutcome()
+{
+    const auto counters = touchCounters();
+    const auto packets = std::to_string (counters.packets) + " touch packet" + (counters.packets == 1 ? "" : "s");
+    return counters.packets == 0 ? std::string() : "of " + packets + ": " + unusedTouches (counters);
 }
 
 std::vector<UserMessage> AudioHost::messages()

@@ -10,6 +10,7 @@
 
 #include <antinode_session/LevelMeters.h>
 #include <antinode_session/UserMessages.h>
+#include <antinode_touch/TouchCounters.h>
 
 #include <functional>
 #include <map>
@@ -104,12 +105,11 @@ public:
     float takePeakVolts();
 
     /** What touches came in and what became of them, in lines. [message thread] */
-    virtual juce::String touchStatus() = 0;
+    juce::String touchStatus();
 
-    /** What touches did that did nothing, for the end of a run; empty where none came. [message thread] */
-    virtual std::string touchOutcome() = 0;
-
-    virtual std::int64_t touchPackets() = 0;
+    /** How many packets came in, and what of them did nothing, for the end of a run; empty where none came. [message
+        thread] */
+    std::string touchOutcome();
 
     /** Whether cursors can play foci; else they are always fingers. */
     virtual bool playsFoci() const = 0;
@@ -141,6 +141,9 @@ protected:
     /** Says so until what it is about succeeds. */
     void warn (const std::string& text, MessageSource source = MessageSource::audio) { failures[source] = text; }
 
+    /** Of all kinds together. */
+    static std::int64_t faultCount (const TouchCounters&);
+
     StandaloneSettings kept;
 
 private:
@@ -149,6 +152,10 @@ private:
     virtual Eigen::VectorXd limits() = 0;   ///< Of the ceramics while this plays, V; none: no device is solved.
     virtual std::uint64_t generation() = 0; ///< Another one where limits may have changed.
     virtual void tick() {}                  ///< 20 times a second.
+    virtual TouchPorts openPorts() = 0;
+    virtual TouchCounters touchCounters() = 0;
+    virtual juce::String touchLines (const TouchCounters&) = 0;   ///< Of touchStatus().
+    virtual std::string unusedTouches (const TouchCounters&) = 0; ///< Of touchOutcome().
     virtual AudioChoice audioToKeep (AudioChoice opened) const { return opened; }
 
     void changeListenerCallback (juce::ChangeBroadcaster*) override;

@@ -156,7 +156,7 @@ std::string HeadlessRun::clampedText()
 std::string HeadlessRun::touchText()
 {
     const auto outcome = host.touchOutcome();
-    return outcome.empty() ? std::string() : "; of " + counted (host.touchPackets(), "touch packet") + ": " + outcome;
+    return outcome.empty() ? std::string() : "; " + outcome;
 }
 
 FociRun::FociRun (StandaloneHost& hostToPlay, std::vector<TimedNote> notes, double seconds, bool isArmed)

@@ -1,7 +1,5 @@
 #include "StandaloneHost.h"
 
-#include "TouchWords.h"
-
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_focus/DriveAllocation.h>
@@ -97,28 +95,22 @@ Eigen::VectorXd StandaloneHost::limits()
     return now->model != nullptr ? voltageLimits (*now->model, now->focus.allocation) : Eigen::VectorXd();
 }
 
-juce::String StandaloneHost::touchStatus()
+juce::String StandaloneHost::touchLines (const TouchCounters& counters)
 {
-    const auto counters = touchInput.counters();
     const auto unplayed = touchInput.unplayed();
     const auto resting = static_cast<int> (player.touches().size());
     const auto waiting = std::max (0, static_cast<int> (touchInput.resting().count()) - resting);
-    return portsInWords (touchInput.ports()) + "\n" + packetsInWords (counters) + "\n" + juce::String (resting)
-           + " fingers rest, " + juce::String (waiting) + " wait for room\n" + "Dropped: "
+    return juce::String (resting) + " fingers rest, " + juce::String (waiting) + " wait for room\n" + "Dropped: "
            + juce::String (counters.limited) + " foci above 500 per second, " + juce::String (faultCount (counters))
            + " faulty,\n" + juce::String (unplayed.outsideSurface) + " outside the surface, "
            + juce::String (unplayed.notAccepted) + " without a device or with a full queue,\n"
            + juce::String (unplayed.withoutKind) + " fingers while cursors play foci";
 }
 
-std::string StandaloneHost::touchOutcome()
+std::string StandaloneHost::unusedTouches (const TouchCounters& counters)
 {
-    const auto counters = touchInput.counters();
     const auto unplayed = touchInput.unplayed();
     const auto dropped = counters.limited + unplayed.notAccepted + unplayed.withoutKind + faultCount (counters);
-
-    if (counters.packets == 0)
-        return {};
 
     return std::to_string (unplayed.outsideSurface) + " outside the surface, " + std::to_string (dropped)
            + " dropped for other reasons";

@@ -48,14 +48,15 @@ public:
     SwitchParameter& arm() override { return player.parameters().arm(); }
     void stopAll() override { player.session().stopAll(); }
     LevelMeters& meters() override { return player.session().meters(); }
-    juce::String touchStatus() override;
-    std::string touchOutcome() override;
-    std::int64_t touchPackets() override { return touchInput.counters().packets; }
     bool playsFoci() const override { return true; }
     juce::String latencyText() override;
     juce::String latencyAdviceText() override;
 
 private:
+    TouchPorts openPorts() override { return touchInput.ports(); }
+    TouchCounters touchCounters() override { return touchInput.counters(); }
+    juce::String touchLines (const TouchCounters&) override;
+    std::string unusedTouches (const TouchCounters&) override;
     void keepState (StandaloneSettings& settings) override { settings.state = player.state(); }
     void passAmplifiers (const std::vector<double>& volts) override { player.session().setAmplifiers (volts); }
     Eigen::VectorXd limits() override;

@@ -1,7 +1,5 @@
 #include "TouchHost.h"
 
-#include "TouchWords.h"
-
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
@@ -126,24 +124,16 @@ std::uint64_t TouchHost::generation()
     return seen;
 }
 
-juce::String TouchHost::touchStatus()
+juce::String TouchHost::touchLines (const TouchCounters& counters)
 {
-    auto& network = player.network();
-    const auto counters = network.counters();
-    return portsInWords (network.ports()) + "\n" + packetsInWords (counters) + "\n"
-           + juce::String (network.touches().resting()) + " fingers touched, "
-           + juce::String (network.touches().waiting())
+    const auto& touches = player.network().touches();
+    return juce::String (touches.resting()) + " fingers touched, " + juce::String (touches.waiting())
            + " touches wait for one\nDropped: " + juce::String (faultCount (counters)) + " faulty, "
-           + juce::String (network.touches().dropped()) + " too many";
+           + juce::String (touches.dropped()) + " too many";
 }
 
-std::string TouchHost::touchOutcome()
+std::string TouchHost::unusedTouches (const TouchCounters& counters)
 {
-    const auto counters = player.network().counters();
-
-    if (counters.packets == 0)
-        return {};
-
     return std::to_string (faultCount (counters)) + " faulty, " + std::to_string (player.network().touches().dropped())
            + " touches too many";
 }

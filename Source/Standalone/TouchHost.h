@@ -49,9 +49,6 @@ public:
     SwitchParameter& arm() override { return player.parameters().arm(); }
     void stopAll() override { player.stopAll(); }
     LevelMeters& meters() override { return player.session().meters(); }
-    juce::String touchStatus() override;
-    std::string touchOutcome() override;
-    std::int64_t touchPackets() override { return player.network().counters().packets; }
     bool playsFoci() const override { return false; }
     juce::String latencyText() override;
     juce::String latencyAdviceText() override;
@@ -60,6 +57,10 @@ public:
     void tick() override;
 
 private:
+    TouchPorts openPorts() override { return player.network().ports(); }
+    TouchCounters touchCounters() override { return player.network().counters(); }
+    juce::String touchLines (const TouchCounters&) override;
+    std::string unusedTouches (const TouchCounters&) override;
     void keepState (StandaloneSettings&) override;
     void passAmplifiers (const std::vector<double>& volts) override { player.session().setAmplifiers (volts); }
     Eigen::VectorXd limits() override;
