@@ -1,8 +1,7 @@
 #pragma once
 
-#include "FieldFrames.h"
+#include "SurfacePainter.h"
 
-#include <antinode_charts/Chart.h>
 #include <antinode_model/Playback.h>
 #include <antinode_reports/FocusScores.h>
 #include <antinode_session/PlaySettings.h>
@@ -34,7 +33,7 @@ struct RenderedCharts
 };
 
 /** The picture of a focus. Immutable. Parts arrive one after the other, the quick ones first. */
-struct DesignPicture
+struct DesignPicture : SurfacePicture
 {
     enum class Stage
     {
@@ -44,14 +43,11 @@ struct DesignPicture
     };
 
     DesignQuestion question;
-    FocusDescription focus;                    ///< The document as the parameters changed it.
-    std::shared_ptr<const FieldFrames> frames; ///< None if there is no design.
-    std::shared_ptr<const Chart> field;        ///< At the focus: a LineChart of a line, a HeatMap of a plate.
-    std::shared_ptr<const Chart> section;      ///< Of a plate, along x through the focus; none if there is no design.
-    std::shared_ptr<const Chart> spectrum;     ///< None if there is no design.
+    FocusDescription focus;                ///< The document as the parameters changed it.
+    std::shared_ptr<const Chart> section;  ///< Of a plate, along x through the focus; none if there is no design.
+    std::shared_ptr<const Chart> spectrum; ///< None if there is no design.
     std::shared_ptr<const RenderedCharts> rendered; ///< Of an earlier design until the stage is complete.
     std::shared_ptr<const Chart> methods;           ///< What this focus needs by several methods; comes last.
-    std::string error;                              ///< Why there is no design, in one sentence.
     std::vector<std::string> faults;                ///< What is wrong with the focus, as far as it is known.
     Stage stage = Stage::predicted;
 };

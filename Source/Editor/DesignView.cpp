@@ -55,7 +55,8 @@ std::shared_ptr<const Chart> makeFieldChart (const DesignPicture& made, const Mo
                                                           design != nullptr ? design->truncatedField : still, field));
     }
 
-    auto map = plateFieldChart (model, field, "velocity", made.focus.targets);
+    // The first place is the spot, which is drawn where it is dragged to.
+    auto map = plateFieldChart (model, field, "velocity", { made.focus.targets.begin() + 1, made.focus.targets.end() });
 
     // Lines where the plate stands still would hide more than they show while it moves.
     map.contours.nodalLinesFrom.reset();
@@ -87,7 +88,7 @@ bool DesignQuestion::operator== (const DesignQuestion& other) const
            && playback.reconstruction == other.playback.reconstruction;
 }
 
-void DesignView::stop()
+void DesignView::leave()
 {
     const std::lock_guard lock (mutex);
     isStopping = true;
@@ -141,6 +142,7 @@ void DesignView::run()
 void DesignView::answer (const DesignQuestion& question)
 {
     DesignPicture made;
+    made.model = question.model;
     made.question = question;
     made.focus = withSettings (question.focus->description, question.settings, question.model->surface);
     made.faults = placeFaults (question.model->surface, made.focus);

@@ -24,7 +24,7 @@ public:
     void run();
 
     /** Abandons unfinished work; returns at once. [any but the audio thread] */
-    void stop();
+    void leave();
 
     /** Returns at once. [any but the audio thread] */
     void ask (DesignQuestion);

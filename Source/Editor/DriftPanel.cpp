@@ -1,6 +1,5 @@
 #include "DriftPanel.h"
 
-#include "DriftChart.h"
 #include "EditorLook.h"
 #include "JuceText.h"
 
@@ -10,12 +9,15 @@
 #include <antinode_session/FollowingWords.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace antinode
 {
 namespace
 {
+constexpr double percent = 100, secondsInMinute = 60, fewMinutes = 3;
+
 constexpr int driftMargin = 8, driftRow = 24, driftGap = 6, sentenceHeight = 40;
 
 /** Identifiers of a choice cannot be 0. */
@@ -34,6 +36,32 @@ juce::String faultOf (const char* axis, double millimetres, double lowest, doubl
                      + inWords (highest * milli) + " mm");
 }
 } // namespace
+
+LineChart driftChart (const FollowingStatus& status)
+{
+    const auto count = static_cast<Eigen::Index> (status.trace.size());
+    const auto latest = count > 0 ? status.trace.back().time : 0;
+    const auto isLong = latest > fewMinutes * secondsInMinute;
+    Eigen::VectorXd times (count), drifts (count), deviations (count);
+
+    for (Eigen::Index i = 0; i < count; ++i)
+    {
+        const auto& moment = status.trace[static_cast<std::size_t> (i)];
+        const auto isKnown = moment.state == FollowingState::following;
+        times[i] = moment.time / (isLong ? secondsInMinute : 1);
+        drifts[i] = isKnown ? percent * moment.common : std::numeric_limits<double>::quiet_NaN();
+        deviations[i] = percent * moment.deviation;
+    }
+
+    LineChart chart;
+    chart.title = "Drift that all frequencies share";
+    chart.xLabel = isLong ? "time of playing (min)" : "time of playing (s)";
+    chart.yLabel = "drift (%)";
+    chart.series = { { "drift", times, drifts, LineStyle::solid, false, true },
+                     { "two deviations", times, drifts + 2 * deviations, LineStyle::dotted },
+                     { "", times, drifts - 2 * deviations, LineStyle::dotted, false, false, 1 } };
+    return chart;
+}
 
 DriftPanel::DriftPanel (DriftPanelSource sourceToShow) : source (std::move (sourceToShow))
 {

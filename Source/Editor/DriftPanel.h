@@ -2,9 +2,10 @@
 
 #include "ChartView.h"
 
+#include <antinode_charts/LineChart.h>
 #include <antinode_model/ModalModel.h>
 #include <antinode_session/FollowingRequests.h>
-
+#include <antinode_session/FollowingStatus.h>
 #include <juce_gui_basics/juce_gui_basics.h>
 
 #include <array>
@@ -13,6 +14,10 @@
 
 namespace antinode
 {
+/** The common drift of a followed device over time, with twice its deviation to both sides; windows that were not
+    explained are gaps. [any] */
+LineChart driftChart (const FollowingStatus&);
+
 /** What a drift panel shows and changes, of whatever tracks. */
 struct DriftPanelSource
 {

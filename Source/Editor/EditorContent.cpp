@@ -1,10 +1,10 @@
 #include "EditorContent.h"
 
-#include "EditorMessages.h"
-
 #include <antinode_charts/BankCharts.h>
+#include <antinode_session/DesignSentences.h>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace antinode
@@ -12,69 +12,106 @@ namespace antinode
 namespace
 {
 constexpr double usualRate = 48000; // Hz, before a host says it
+
+/** What goes on, where nothing else is said. */
+std::string progressSentence (AntinodeProcessor& processor, bool isWorking)
+{
+    const auto session = processor.session().snapshot();
+    const auto progress = processor.session().progress();
+
+    if (session->isSolving || session->model == nullptr)
+        return "Solving " + processor.device()->description.name + " \xE2\x80\xA6";
+
+    if (! progress.isDone())
+        return "Designing " + std::to_string (progress.designed) + " of " + std::to_string (progress.wanted)
+               + " positions \xE2\x80\xA6";
+
+    return isWorking ? "Ready; rendering the charts \xE2\x80\xA6" : "";
+}
+
+std::string restSentence (AntinodeProcessor& processor)
+{
+    return processor.session().snapshot()->isAsWritten
+               ? "Ready; every note plays the design as it was written, moving a parameter designs its focus again"
+               : "Ready";
+}
+
+/** All that the editor has to say.
+    @param picture    the newest one, or none
+    @param isWorking  whether a newer one is being worked out
+    @param beside     what the window around has to say */
+std::vector<UserMessage> editorMessages (AntinodeProcessor& processor, const DesignPicture* picture, bool isWorking,
+                                         const std::vector<UserMessage>& beside)
+{
+    auto messages = processor.messages();
+    messages.insert (messages.end(), beside.begin(), beside.end());
+    const auto session = processor.session().snapshot();
+    const auto isShown = picture != nullptr && ! session->isSolving && picture->question.model == session->model;
+
+    if (isShown)
+    {
+        addMessage (messages, Urgency::warning, picture->error);
+
+        for (const auto& fault : picture->faults)
+            addMessage (messages, Urgency::caution, fault);
+    }
+
+    addMessage (messages, Urgency::calm, progressSentence (processor, isWorking));
+
+    if (const auto progress = processor.session().progress(); progress.isDone() && ! session->isSolving)
+        messages.push_back (unplayableNotesMessage (progress, session->playback.sampleRate));
+
+    std::erase_if (messages, [] (const auto& message) { return message.text.empty(); });
+
+    if (messages.empty())
+        messages.push_back ({ Urgency::calm, restSentence (processor) });
+
+    return messages;
+}
+
+/** Rate, voices and triggers, beside them. */
+juce::String playedFigures (AntinodeProcessor& processor)
+{
+    const auto& meters = processor.session().meters();
+    const auto rate = processor.session().snapshot()->playback.sampleRate;
+    return (rate > 0 ? juce::String (rate / 1000, 1) + " kHz" : juce::String ("not playing")) + "    " + "voices "
+           + juce::String (meters.voices()) + "    triggers " + juce::String (meters.triggered());
+}
 } // namespace
 
 EditorContent::EditorContent (AntinodeProcessor& processorToShow)
-    : processor (processorToShow), past (processor), presets (processor, past), top (processor, past),
-      surfaceView (processor, past), section ("Section along x"), spectrum ("Modal spectrum"),
-      felt ("Sensation level over the whole event"), voltages ("Voltages with their limits"),
-      methods ("Peak voltage by several methods"), bank ("Peak voltage of the notes' places"),
-      probe (processor.session().probeTrace()),
+    : WindowContent ("Antinode", { { 800, 500, 1700, 1000 }, 1280, 800, 60, 48 }), processor (processorToShow),
+      past (processor), presets (processor, past), commands (bar, processor, past), surfaceView (processor, past),
+      section ("Section along x"), spectrum ("Modal spectrum"), felt ("Sensation level over the whole event"),
+      voltages ("Voltages with their limits"), methods ("Peak voltage by several methods"),
+      bank ("Peak voltage of the notes' places"), probe (processor.session().probeTrace()),
       drift ({ processor.session().following(), [this] { return processor.session().snapshot()->model; },
                [this] (const auto& wanted)
                { past.record ([this, &wanted] { processor.session().following().setSettings (wanted); }); },
                [this] { past.resetDrift(); } }),
       settings ({ [this] { return processor.session().isGraphOpen(); },
                   [this] (bool isOpen) { processor.session().setGraphOpen (isOpen); } }),
-      parameters (processor), meters (processor, past), browser (std::make_unique<PresetPanel> (presets)),
-      tooltips (this, 600)
+      parameters (processor), meters (processor, past), browser (std::make_unique<PresetPanel> (presets))
 {
-    juce::LookAndFeel::setDefaultLookAndFeel (&fonts.get());
-    setLookAndFeel (&look);
-    setTitle ("Antinode");
     setWantsKeyboardFocus (true);
     setFocusContainerType (FocusContainerType::keyboardFocusContainer);
     parameterView.setViewedComponent (&parameters, false);
     parameterView.setScrollBarsShown (true, false);
-    top.onBrowse = [this] (LibraryKind kind) { browse (kind); };
-    top.onFire = [this] { fire(); };
-    top.onStop = [this] { processor.session().stopAll(); };
-    top.onTheme = [this] { setDark (! isDark()); };
-    top.onUndo = [this] { undo(); };
-    top.onRedo = [this] { redo(); };
+    commands.onBrowse = [this] (LibraryKind kind) { browse (kind); };
+    commands.onFire = [this] { fire(); };
+    commands.onStop = [this] { processor.session().stopAll(); };
+    commands.onUndo = [this] { undo(); };
+    commands.onRedo = [this] { redo(); };
     surfaceView.onFire = [this] { fire(); };
     surfaceView.fingers().say = [this] (const juce::String& sentence) { status.say (sentence); };
-    status.onHeight = [this] { resized(); };
     browser->onClose = [this] { browse (std::nullopt); };
 
-    for (juce::Component* const child :
-         { static_cast<juce::Component*> (&top), static_cast<juce::Component*> (&surfaceView),
-           static_cast<juce::Component*> (&section), static_cast<juce::Component*> (&time),
-           static_cast<juce::Component*> (&parameterView), static_cast<juce::Component*> (&upper),
-           static_cast<juce::Component*> (&lower), static_cast<juce::Component*> (&meters),
-           static_cast<juce::Component*> (&status) })
+    for (juce::Component* const child : std::initializer_list<juce::Component*> {
+             &surfaceView, &section, &time, &parameterView, &upper, &lower, &meters })
         addAndMakeVisible (child);
 
     addChildComponent (*browser);
-    // Children have looked for their look before they had us as a parent.
-    setDark (true);
-    setSize (sizes.leastWidth, sizes.leastHeight);
-    refresh (0);
-}
-
-EditorContent::~EditorContent()
-{
-    designs->stop();
-    setLookAndFeel (nullptr);
-}
-
-void EditorContent::setDark (bool isDark)
-{
-    look.setPalette (isDark ? Palette::dark() : Palette::light());
-    sendLookAndFeelChange();
-
-    if (onTheme)
-        onTheme();
+    begin();
 }
 
 void EditorContent::refresh (double seconds)
@@ -94,14 +131,8 @@ void EditorContent::refresh (double seconds)
     drift.refresh();
     settings.refresh();
     meters.refresh (seconds);
-    top.refresh (presets.loadedName (LibraryKind::device), presets.loadedName (LibraryKind::focus));
-    showMessages (seconds);
-}
-
-void EditorContent::showMessages (double seconds)
-{
-    status.show (editorMessages (processor, picture.get(), ! designs->isDone(),
-                                 moreMessages ? moreMessages() : std::vector<UserMessage>()),
+    commands.refresh (presets.loadedName (LibraryKind::device), presets.loadedName (LibraryKind::focus));
+    status.show (editorMessages (processor, picture.get(), ! designs->isDone(), messagesBeside()),
                  playedFigures (processor), seconds);
 }
 
@@ -295,8 +326,20 @@ void EditorContent::filesDropped (const juce::StringArray& files, int, int)
         status.say (presets.loadFile (files[0].toStdString()));
 }
 
-void EditorContent::paint (juce::Graphics& g)
+void installEditor()
 {
-    g.fillAll (look.palette().window);
+    AntinodeProcessor::makeEditor = [] (AntinodeProcessor& processor)
+    {
+        auto editor = editorAsLeft<EditorContent> (processor);
+        auto& content = editor->content();
+        auto& settings = content.settingsPanel();
+        settings.setScale (readPreferences().scale);
+        settings.onScale = [&content, shown = editor.get()] (double scale)
+        {
+            shown->setContentScale (scale);
+            keepPreferences ({ content.isDark(), scale });
+        };
+        return editor.release();
+    };
 }
 } // namespace antinode

@@ -7,7 +7,7 @@ namespace antinode
 {
 namespace
 {
-constexpr int gap = 6, topHeight = 48, timeHeight = 38, metersHeight = 62;
+constexpr int timeHeight = 38, metersHeight = 62;
 constexpr int parametersWidth = 290, wideFrom = 1080, wideFromHeight = 600;
 constexpr int besidePlate = 150, belowPlate = 70, minimumSectionHeight = 130; // what axes and colours take
 } // namespace
@@ -50,11 +50,8 @@ void EditorContent::setLayout (Layout wanted)
     lower.setVisible (wanted == Layout::wide);
 }
 
-void EditorContent::resized()
+void EditorContent::layOut (juce::Rectangle<int> area)
 {
-    auto area = getLocalBounds();
-    top.setBounds (area.removeFromTop (topHeight));
-    status.setBounds (area.removeFromBottom (status.wantedHeight()));
     area.removeFromBottom (1);
     meters.setBounds (area.removeFromBottom (metersHeight));
     area = area.reduced (gap);

@@ -10,8 +10,9 @@
 
 namespace antinode
 {
-LibraryButton::LibraryButton (LibraryKind kindToChoose, const juce::String& whatIsLoaded, Take take)
-    : kind (kindToChoose), what (whatIsLoaded), onTake (std::move (take))
+LibraryButton::LibraryButton (LibraryKind kindToChoose, const juce::String& whatIsLoaded, Take take,
+                              std::function<void()> takeNothing)
+    : kind (kindToChoose), what (whatIsLoaded), onTake (std::move (take)), onNothing (std::move (takeNothing))
 {
     setTitle (what.substring (0, 1).toUpperCase() + what.substring (1));
     onClick = [this] { choose(); };
@@ -33,7 +34,17 @@ void LibraryButton::loadDocument (const std::string& nameOrFile)
 void LibraryButton::choose()
 {
     juce::PopupMenu menu;
-    addItems (menu);
+
+    if (onNothing)
+    {
+        menu.addItem ("Nothing",
+                      [this]
+                      {
+                          said.clear();
+                          onNothing();
+                      });
+        menu.addSeparator();
+    }
 
     for (const auto& entry : libraryEntries (kind))
         menu.addItem (fromUtf8 (entry.name), [this, name = entry.name] { loadDocument (name); });

@@ -61,7 +61,7 @@ void drawNumbers (juce::Graphics& g, const PlotFrame& frame, const std::vector<M
 }
 } // namespace
 
-void SurfacePainter::setPicture (std::shared_ptr<const DesignPicture> newPicture)
+void SurfacePainter::setPicture (std::shared_ptr<const SurfacePicture> newPicture)
 {
     picture = std::move (newPicture);
     below = above = aboveFocus = {};
@@ -75,7 +75,7 @@ void SurfacePainter::setPalette (const Palette& palette)
 
 bool SurfacePainter::isLine() const
 {
-    return picture == nullptr || picture->question.model->surface.kind == SurfaceKind::line;
+    return picture == nullptr || picture->model->surface.kind == SurfaceKind::line;
 }
 
 juce::Image SurfacePainter::emptyLayer() const
@@ -93,7 +93,7 @@ void SurfacePainter::layOut (juce::Rectangle<int> newArea, float newScale)
     area = newArea;
     scale = newScale;
     below = emptyLayer();
-    above = aboveFocus = {};
+    above = aboveFocus = still = {};
     juce::Graphics g (below);
     g.addTransform (juce::AffineTransform::scale (scale));
 
@@ -102,24 +102,30 @@ void SurfacePainter::layOut (juce::Rectangle<int> newArea, float newScale)
     else
         layOutPlate (std::get<HeatMap> (*picture->field), g);
 
-    if (isLine())
+    for (auto* const layer : { &above, &aboveFocus })
+        if (! isLine())
+        {
+            *layer = emptyLayer();
+            juce::Graphics upper (*layer);
+            upper.addTransform (juce::AffineTransform::scale (scale));
+            paintOverlay (upper, layer == &aboveFocus);
+        }
+
+    if (picture->frames->available() > 1)
         return;
 
-    above = emptyLayer();
-    juce::Graphics upper (above);
-    upper.addTransform (juce::AffineTransform::scale (scale));
-    paintOverlay (upper, false);
-    aboveFocus = emptyLayer();
-    juce::Graphics focus (aboveFocus);
-    focus.addTransform (juce::AffineTransform::scale (scale));
-    paintOverlay (focus, true);
+    auto whole = emptyLayer();
+    juce::Graphics inner (whole);
+    inner.addTransform (juce::AffineTransform::scale (scale));
+    paint (inner, 0);
+    still = whole;
 }
 
 void SurfacePainter::layOutLine (const LineChart& chart, juce::Graphics& g)
 {
     const auto& theme = colours->charts;
     g.fillAll (colours->panel);
-    auto rest = area.withZeroOrigin().toFloat().reduced (theme.padding);
+    auto rest = area.toFloat().reduced (theme.padding);
     rest = drawLegend (g, rest, legendEntries (chart, theme), LegendPlace::top, theme);
     const auto data = yDataRange (chart).value_or (AxisRange {});
     const auto maximum = std::max (std::abs (data.minimum), std::abs (data.maximum));
@@ -144,7 +150,7 @@ void SurfacePainter::layOutPlate (const HeatMap& chart, juce::Graphics& g)
 {
     const auto& theme = colours->charts;
     g.fillAll (colours->panel);
-    const auto rest = area.withZeroOrigin().toFloat().reduced (theme.padding);
+    const auto rest = area.toFloat().reduced (theme.padding);
     const auto maximum = picture->frames->largest * milli;
     const ChartAxis values { chart.valueLabel, usableRange ({ -maximum, maximum }), false, {}, false };
     const auto barWidth = hasColourBar ? colourBarWidth (values, rest.getHeight(), theme) : 0.0F;
@@ -173,35 +179,35 @@ void SurfacePainter::paintOverlay (juce::Graphics& g, bool withContours) const
 
     drawSurface (g, plot, chart.surface, colours->charts);
 
-    // The first place is the spot, which can be dragged.
-    const std::vector<MapPoint> others (chart.points.begin() + 1, chart.points.end());
     auto rectangles = chart.rectangles;
 
     for (auto& rectangle : rectangles)
         rectangle.label.clear();
 
-    drawPlaces (g, plot, rectangles, others, colours->charts);
+    drawPlaces (g, plot, rectangles, chart.points, colours->charts);
     drawNumbers (g, plot, rectangles, colours->charts);
 }
 
 void SurfacePainter::paint (juce::Graphics& g, int frame) const
 {
+    g.setOpacity (1);
+
+    if (still.isValid())
+        return drawLayer (g, still);
+
     const auto shown = picture->frames->available() > 1 ? frame : 0;
     const auto isFocus = picture->frames->available() == 1 || frame == FieldFrames::atFocus;
-    g.setOpacity (1);
     {
         const juce::Graphics::ScopedSaveState state (g);
 
         // A map covers all of the plot, unless it has an outline: large images cost more than small ones.
         if (! isLine() && std::get<HeatMap> (*picture->field).surface.empty())
-            g.excludeClipRegion (plot.plot.toNearestInt() + area.getPosition());
+            g.excludeClipRegion (plot.plot.toNearestInt());
 
         drawLayer (g, below);
     }
     {
         const juce::Graphics::ScopedSaveState state (g);
-        g.setOrigin (area.getPosition());
-
         if (isLine())
             paintLine (g, shown);
         else
@@ -218,9 +224,8 @@ void SurfacePainter::paint (juce::Graphics& g, int frame) const
 /** Pixel by pixel, at the nearest one: anything between would be ten times as slow. */
 void SurfacePainter::drawLayer (juce::Graphics& g, const juce::Image& layer) const
 {
-    const auto place = area.getPosition().toFloat();
     g.setImageResamplingQuality (juce::Graphics::lowResamplingQuality);
-    g.drawImageTransformed (layer, juce::AffineTransform::scale (1 / scale).translated (place.x, place.y));
+    g.drawImageTransformed (layer, juce::AffineTransform::scale (1 / scale));
 }
 
 void SurfacePainter::paintLine (juce::Graphics& g, int frame) const

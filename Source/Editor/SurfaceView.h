@@ -1,90 +1,72 @@
 #pragma once
 
-#include "SurfaceFingers.h"
 #include "SurfacePainter.h"
 
-#include <Processor/AntinodeProcessor.h>
+#include <juce_audio_processors/juce_audio_processors.h>
 
-#include <functional>
 #include <memory>
-#include <optional>
+#include <utility>
 
 namespace antinode
 {
-/** The plate or beam from above: ceramics, field, spot, probe and fingers. They can be dragged; spot and probe move
-   with arrow keys too, and a menu puts fingers on the surface. [message thread] */
+/** The plate or beam from above, in the window of any role: its ceramics and its field. What lies on it a role draws on
+    top, and lets the mouse drag where two parameters say its place. [message thread] */
 class SurfaceView : public juce::Component, public juce::SettableTooltipClient
 {
 public:
-    SurfaceView (AntinodeProcessor&, History&);
+    void setPicture (std::shared_ptr<const SurfacePicture>);
 
-    void setPicture (std::shared_ptr<const DesignPicture>);
-
-    /** @param frame  of FieldFrames */
+    /** @param frame  of the picture */
     void setFrame (int frame);
 
-    /** Draws the spot and the probe where the parameters say. */
-    void refresh();
-
-    /** The positions of spot and probe, in pixels of this component. */
-    juce::Point<float> spot() const { return pixelPlace (*spotX, *spotY, shownSpotHeight()); }
-    juce::Point<float> probe() const { return pixelPlace (*probeX, *probeY, 0); }
-
-    SurfaceFingers& fingers() { return touching; }
-
-    /** What can be done with fingers at a place. @param place  in pixels of this component */
-    juce::PopupMenu fingerMenu (juce::Point<float> place);
-
-    /** The action of Space and Return. */
-    std::function<void()> onFire;
-
-    void paint (juce::Graphics&) override;
-    void resized() override { repaint(); }
-    void lookAndFeelChanged() override;
-    void mouseMove (const juce::MouseEvent&) override;
-    void mouseDown (const juce::MouseEvent&) override;
+    void paint (juce::Graphics&) final;
+    void resized() final { repaint(); }
+    void lookAndFeelChanged() final;
     void mouseDrag (const juce::MouseEvent&) override;
-    void mouseUp (const juce::MouseEvent&) override;
-    bool keyPressed (const juce::KeyPress&) override;
-    void focusGained (FocusChangeType) override { repaint(); }
-    void focusLost (FocusChangeType) override { repaint(); }
-    std::unique_ptr<juce::AccessibilityHandler> createAccessibilityHandler() override;
+    void mouseUp (const juce::MouseEvent&) override { release(); }
 
-private:
-    enum class Handle
+protected:
+    /** The parameters of a place, in percent of the surface. */
+    struct Place
     {
-        none,
-        spot,
-        probe,
-        finger
+        juce::RangedAudioParameter *x = nullptr, *y = nullptr;
     };
 
-    juce::Point<float> pixelPlace (const juce::RangedAudioParameter& x, const juce::RangedAudioParameter& y,
-                                   double lineHeight) const;
-    double shownSpotHeight() const;
-    Handle handleAt (juce::Point<float>) const;
-    std::optional<std::size_t> fingerAt (juce::Point<float>) const;
-    juce::RangedAudioParameter* horizontal (Handle) const;
-    juce::RangedAudioParameter* vertical (Handle) const;
-    juce::Point<float> middleOf (Handle) const;
-    void moveHandle (juce::Point<float>);
-    void moveFinger (juce::Point<float>);
-    bool changeFingers (const juce::KeyPress&);
-    juce::Point<double> surfacePlace (juce::Point<float>) const;
-    void nudge (Handle, float xPercent, float yPercent);
-    void paintSpot (juce::Graphics&) const;
-    void paintProbe (juce::Graphics&) const;
-    void paintMessage (juce::Graphics&) const;
+    static constexpr float grabRadius = 14; ///< Pixels.
 
-    AntinodeProcessor& processor;
-    juce::RangedAudioParameter *spotX, *spotY, *probeX, *probeY, *width, *height;
-    std::shared_ptr<const DesignPicture> picture;
+    SurfaceView (const juce::String& description, const juce::String& tooltip, bool hasColourBar);
+
+    /** Whether there is a picture: what follows has a meaning then alone. */
+    bool isShown() const { return picture != nullptr; }
+    const Surface& surface() const { return picture->model->surface; }
+    bool isLine() const { return painter.isLine(); }
+    const PlotFrame& plot() const { return painter.frame(); }
+
+    /** A place in pixels of this component. @param height  where it is drawn on a line, mm/s */
+    juce::Point<float> pixels (double xPercent, double yPercent, double height = 0) const;
+    juce::Point<float> pixels (const Place&, double height = 0) const;
+
+    /** What lies at pixels, in percent of the surface, which may be beside it. */
+    std::pair<double, double> percentAt (juce::Point<float>) const;
+
+    /** Begins a drag. @param offset  of the mouse from the middle of what is dragged */
+    void grab (const Place&, juce::Point<float> offset);
+
+    /** Ends it. */
+    void release();
+
+    /** Sets both parameters; of a line the first alone. */
+    void move (const Place&, double xPercent, double yPercent);
+
+    virtual void paintOnTop (juce::Graphics&) = 0;
+
+private:
+    void paintError (juce::Graphics&) const;
+
+    std::shared_ptr<const SurfacePicture> picture;
     SurfacePainter painter;
-    SurfaceFingers touching;
-    std::size_t draggedFinger = 0;
     int frame = FieldFrames::atFocus;
-    Handle dragged = Handle::none;
-    juce::Point<float> grabbedAt;         ///< From the handle's middle.
-    std::array<double, 6> shownValues {}; ///< Of the parameters above.
+    Place held;                  ///< None: nothing is dragged.
+    juce::Point<float> heldFrom; ///< From its middle.
 };
 } // namespace antinode

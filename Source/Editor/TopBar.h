@@ -1,50 +1,35 @@
 #pragma once
 
-#include "History.h"
-#include "ParameterLink.h"
+#include <juce_gui_basics/juce_gui_basics.h>
 
-#include <antinode_library/Library.h>
-
-#include <functional>
-#include <memory>
+#include <vector>
 
 namespace antinode
 {
-/** The loaded presets, undo and redo, the theme, and the three buttons that control the voltage on the ceramics.
-    [message thread] */
+/** The commands of a window, from both ends; the theme is one in every window. [message thread] */
 class TopBar final : public juce::Component
 {
 public:
-    TopBar (AntinodeProcessor&, History&);
+    TopBar();
 
-    std::function<void (LibraryKind)> onBrowse;
-    std::function<void()> onFire, onStop, onTheme, onUndo, onRedo;
+    juce::TextButton theme;
 
-    /** @param device, focus  the names of what is loaded */
-    void refresh (const juce::String& device, const juce::String& focus);
+    /** At the left, after those that are there: narrower where there is no room. */
+    void addLeft (juce::Component&, int widest);
+
+    /** At the right, before those that are there. @param gap  beyond it */
+    void addRight (juce::Component&, int width, int gap = 6);
 
     void paint (juce::Graphics&) override;
     void resized() override;
-    void lookAndFeelChanged() override;
 
 private:
-    /** A caption over the name of what is loaded. */
-    class NameButton : public juce::Button
+    struct Item
     {
-    public:
-        explicit NameButton (const juce::String& caption);
-        void setLoaded (const juce::String& name);
-        void paintButton (juce::Graphics&, bool isOver, bool isDown) override;
-
-    private:
-        juce::String caption, loaded;
+        juce::Component* component;
+        int width, gap;
     };
 
-    void showArm (bool isArmed);
-
-    History& history;
-    NameButton device { "Device" }, focus { "Focus" };
-    juce::TextButton undo, redo, theme, arm { "Disarmed" }, fire { "FIRE" }, stop { "STOP" };
-    ParameterLink armLink;
+    std::vector<Item> left, right;
 };
 } // namespace antinode

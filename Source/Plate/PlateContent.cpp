@@ -1,104 +1,128 @@
 #include "PlateContent.h"
 
+#include <Editor/JuceText.h>
+
 #include <antinode_base/Prefixes.h>
+#include <antinode_charts/Lettering.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace antinode
 {
 namespace
 {
-constexpr int topHeight = 44, gap = 6;
 constexpr double fullVelocity = 1000; // mm/s, of a full bar
 } // namespace
 
-PlateContent::PlateContent (PlateProcessor& processorToShow)
-    : processor (processorToShow), device ([this] (auto chosen) { processor.load (std::move (chosen)); }),
-      surfaceView (processor), tooltips (this, 600)
+ProbeSurface::ProbeSurface (PlateProcessor& processorToShow)
+    : SurfaceView (
+        "How the surface has moved, two hundred times slower.",
+        "How the surface has moved round its largest motion of late, some two hundred times slower.\nDrag the "
+        "numbered probes.",
+        true),
+      processor (processorToShow)
 {
-    juce::LookAndFeel::setDefaultLookAndFeel (&fonts.get());
-    setLookAndFeel (&look);
-    setTitle ("Antinode Plate");
+}
+
+void ProbeSurface::refresh()
+{
+    const auto now = processor.parameters().settings();
+
+    if (now == shown && shownProbes == processor.shownProbes())
+        return;
+
+    shown = now;
+    shownProbes = processor.shownProbes();
+    repaint();
+}
+
+SurfaceView::Place ProbeSurface::placeOf (int probe) const
+{
+    return { &processor.parameters().probeX (probe), &processor.parameters().probeY (probe) };
+}
+
+void ProbeSurface::paintOnTop (juce::Graphics& g)
+{
+    constexpr auto radius = 8.0F;
+    const auto& palette = EditorLook::findPalette (*this);
+
+    // The first ones last: where probes lie on each other they are in front.
+    for (auto i = processor.shownProbes(); --i >= 0;)
+    {
+        const auto circle = juce::Rectangle<float> (2 * radius, 2 * radius).withCentre (probe (i));
+        g.setColour (palette.window.withAlpha (0.85F));
+        g.fillEllipse (circle);
+        g.setColour (palette.armed);
+        g.drawEllipse (circle, 1.6F);
+        drawText (g, std::to_string (i + 1), circle, juce::Justification::centred, { 10, true, palette.text });
+    }
+}
+
+void ProbeSurface::mouseDown (const juce::MouseEvent& event)
+{
+    for (int i = 0; isShown() && i < processor.shownProbes(); ++i)
+        if (const auto offset = event.position - probe (i); offset.getDistanceFromOrigin() < grabRadius)
+            return grab (placeOf (i), offset);
+}
+
+PlateContent::PlateContent (PlateProcessor& processorToShow)
+    : WindowContent ("Antinode Plate", { { 720, 460, 1300, 800 }, 1040, 640, 30, 44 }), processor (processorToShow),
+      device (LibraryKind::device, "device",
+              [this] (const auto& json, const auto& source)
+              { processor.load (std::make_shared<const DeviceDocument> (readDeviceDocument (json, source))); }),
+      surfaceView (processor)
+{
     device.setTooltip ("The device that the voltages move. Click to choose another.");
     hold.setTitle ("Hold the picture");
     hold.setTooltip ("Keeps the window that is shown. Otherwise the next one follows when it has been shown, as soon "
                      "as the surface has moved as strongly again.");
     hold.setClickingTogglesState (true);
-    theme.setButtonText (juce::String::fromUTF8 ("\xE2\x97\x90"));
-    theme.setTitle ("Light or dark");
-    theme.setTooltip ("Light or dark");
     time.setTitle ("Time");
-    theme.onClick = [this] { setDark (! isDark()); };
+    bar.addLeft (device, 240);
+    bar.addLeft (time, std::numeric_limits<int>::max());
+    bar.addRight (bar.theme, 34);
+    bar.addRight (hold, 70);
 
     for (juce::Component* const child :
-         { static_cast<juce::Component*> (&device), static_cast<juce::Component*> (&hold),
-           static_cast<juce::Component*> (&theme), static_cast<juce::Component*> (&time),
-           static_cast<juce::Component*> (&surfaceView), static_cast<juce::Component*> (&spectrum),
-           static_cast<juce::Component*> (&probes), static_cast<juce::Component*> (&voltages),
-           static_cast<juce::Component*> (&statusView) })
+         std::initializer_list<juce::Component*> { &surfaceView, &spectrum, &probes, &voltages })
         addAndMakeVisible (child);
 
-    statusView.onHeight = [this] { resized(); };
-    setDark (true);
-    setSize (sizes.leastWidth, sizes.leastHeight);
-    refresh (0);
-}
-
-PlateContent::~PlateContent()
-{
-    motion->stop();
-    setLookAndFeel (nullptr);
-}
-
-void PlateContent::setDark (bool isDark)
-{
-    look.setPalette (isDark ? Palette::dark() : Palette::light());
-    sendLookAndFeelChange();
-
-    if (onTheme)
-        onTheme();
-}
-
-void PlateContent::lookAndFeelChanged()
-{
-    device.setColour (juce::TextButton::buttonColourId, look.palette().raised);
-    theme.setColour (juce::TextButton::buttonColourId, look.palette().raised);
-
-    hold.setColour (juce::TextButton::buttonColourId, look.palette().raised);
-    hold.setColour (juce::TextButton::buttonOnColourId, look.palette().accent);
-    hold.setColour (juce::TextButton::textColourOnId, look.palette().onStrong);
-
-    for (juce::TextButton* const button : std::initializer_list<juce::TextButton*> { &device, &theme, &hold })
-        button->setColour (juce::TextButton::textColourOffId, look.palette().text);
-
-    time.setColour (juce::Label::textColourId, look.palette().mutedText);
-    repaint();
+    begin();
 }
 
 void PlateContent::refresh (double seconds)
 {
-    if (auto now = processor.session().snapshot(); now != snapshot)
-    {
-        if (snapshot == nullptr || now->model != snapshot->model)
-        {
-            probes.forget();
-            voltages.forget();
-        }
-
-        snapshot = std::move (now);
-        motion->watch (snapshot);
-        device.setDevice (*processor.device());
-        namedProbes = 0; // Names and places of all rows are those of another device.
-    }
-
+    takeSnapshot();
     position += hold.getToggleState() ? 0 : seconds;
     showPicture();
     surfaceView.refresh();
-    nameRows();
+    nameProbes();
     showLevels (seconds);
     showStatus (seconds);
+}
+
+void PlateContent::takeSnapshot()
+{
+    auto now = processor.session().snapshot();
+
+    if (now == snapshot)
+        return;
+
+    if (snapshot == nullptr || now->model != snapshot->model)
+    {
+        probes.forget();
+        voltages.forget();
+    }
+
+    snapshot = std::move (now);
+    motion->watch (snapshot);
+    device.setButtonText ("Device: " + fromUtf8 (processor.device()->description.name));
+    namedProbes = 0; // Names and places of all rows are those of another device.
 }
 
 /** Goes through the window; at its end the next one is asked for, and this one is shown again until it comes. */
@@ -117,7 +141,7 @@ void PlateContent::showPicture()
         position = 0;
     }
 
-    const auto frames = shown->field->frames->available();
+    const auto frames = shown->frames->available();
 
     if (position >= secondsOfWindow)
     {
@@ -142,7 +166,7 @@ void PlateContent::holdAt (int frame)
     showPicture();
 }
 
-void PlateContent::nameRows()
+void PlateContent::nameProbes()
 {
     const auto settings = processor.parameters().settings();
 
@@ -164,68 +188,37 @@ void PlateContent::nameRows()
     }
 
     probes.setRows (std::move (rows));
-    rows.clear();
-
-    for (std::size_t i = 0; i < snapshot->model->ceramics.size(); ++i)
-        rows.push_back ({ juce::String (i + 1), {}, voltageLimit (*snapshot->model, i) });
-
-    voltages.setRows (std::move (rows));
 }
 
 void PlateContent::showLevels (double seconds)
 {
     auto& meters = processor.session().meters();
-    std::vector<double> values;
-    values.reserve (static_cast<std::size_t> (LevelMeters::ceramics));
+    std::vector<double> velocities;
 
     for (int i = 0; i < PlatePath::probes; ++i)
-        values.push_back (milli * static_cast<double> (meters.takeProbe (i)));
+        velocities.push_back (milli * static_cast<double> (meters.takeProbe (i)));
 
-    probes.refresh (values, seconds);
-    values.clear();
-
-    for (int i = 0; i < LevelMeters::ceramics; ++i)
-        values.push_back (static_cast<double> (meters.takePeak (i)));
-
-    voltages.refresh (values, seconds);
+    probes.refresh (velocities, seconds);
+    voltages.showVoltages (snapshot->model.get(), meters, seconds);
 }
 
 void PlateContent::showStatus (double seconds)
 {
-    auto messages = processor.messages();
+    auto messages = messagesBeside();
+
+    for (auto& message : processor.messages())
+        messages.push_back (std::move (message));
+
     addMessage (messages, Urgency::warning, device.error().toStdString());
 
     if (snapshot->isSolving)
         addMessage (messages, Urgency::calm, "Solving the device.");
 
-    statusView.show (std::move (messages), {}, seconds);
+    status.show (std::move (messages), {}, seconds);
 }
 
-void PlateContent::loadDevice (const std::string& nameOrFile)
+void PlateContent::layOut (juce::Rectangle<int> area)
 {
-    device.loadDevice (nameOrFile);
-}
-
-void PlateContent::paint (juce::Graphics& g)
-{
-    const auto& palette = look.palette();
-    g.fillAll (palette.window);
-    auto area = getLocalBounds();
-    g.setColour (palette.panel);
-    g.fillRect (area.removeFromTop (topHeight));
-}
-
-void PlateContent::resized()
-{
-    auto area = getLocalBounds();
-    auto top = area.removeFromTop (topHeight).reduced (8, 6);
-    statusView.setBounds (area.removeFromBottom (statusView.wantedHeight()));
-    device.setBounds (top.removeFromLeft (240));
-    theme.setBounds (top.removeFromRight (34));
-    top.removeFromRight (gap);
-    hold.setBounds (top.removeFromRight (70));
-    top.removeFromLeft (2 * gap);
-    time.setBounds (top);
     area = area.reduced (gap);
     auto right = area.removeFromRight (std::max (320, area.getWidth() * 2 / 5));
     area.removeFromRight (gap);

@@ -1,6 +1,6 @@
 #include "PlateProcessor.h"
 
-#include "PlateEditor.h"
+#include "PlateContent.h"
 
 #include <utility>
 

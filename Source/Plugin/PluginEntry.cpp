@@ -1,4 +1,4 @@
-#include <Editor/InstallEditor.h>
+#include <Editor/EditorContent.h>
 #include <Processor/AntinodeProcessor.h>
 #include <Processor/CeramicsAtFirst.h>
 

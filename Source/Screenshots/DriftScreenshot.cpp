@@ -1,6 +1,6 @@
-#include "DriftScreenshot.h"
+#include "Screenshots.h"
 
-#include <Editor/Editor.h>
+#include <Editor/EditorContent.h>
 
 #include <antinode_engine/PlateModel.h>
 #include <antinode_focus/Detuning.h>
@@ -8,7 +8,6 @@
 
 #include <array>
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <thread>
 
@@ -105,16 +104,7 @@ void takeDrift (const juce::File& file)
     auto& content = editor.content();
     content.showPanel ("Drift");
 
-    do
-    {
-        std::this_thread::sleep_for (std::chrono::milliseconds (10));
-        content.refresh (0);
-    } while (! content.isSettled());
-
-    const auto image = editor.createComponentSnapshot (editor.getLocalBounds(), true, 1);
-    file.deleteFile();
-    juce::FileOutputStream stream (file);
-    juce::PNGImageFormat().writeImageToStream (image, stream);
-    std::printf ("%s\n", file.getFullPathName().toRawUTF8());
+    refreshUntil (content, [&] { return content.isSettled(); });
+    writePicture (editor, file);
 }
 } // namespace antinode

@@ -1,6 +1,4 @@
-#include "DriftScreenshot.h"
-#include "PlateScreenshot.h"
-#include "TouchScreenshot.h"
+#include "Screenshots.h"
 
 #include <Standalone/MainComponent.h>
 
@@ -9,13 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 #include <numbers>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace
@@ -32,15 +28,6 @@ struct Screenshot
     bool isDark;
     bool hasFingers = false; ///< Rests two fingers and shows what is felt.
 };
-
-void waitUntilShown (antinode::EditorContent& content)
-{
-    do
-    {
-        std::this_thread::sleep_for (std::chrono::milliseconds (10));
-        content.refresh (0);
-    } while (! content.isSettled());
-}
 
 /** Fires a few times, so that meters and the live trace show something. */
 void play (antinode::AntinodeProcessor& processor, antinode::EditorContent& content)
@@ -59,15 +46,6 @@ void play (antinode::AntinodeProcessor& processor, antinode::EditorContent& cont
     }
 }
 
-void write (juce::Component& component, const juce::File& file)
-{
-    const auto image = component.createComponentSnapshot (component.getLocalBounds(), true, 1);
-    file.deleteFile();
-    juce::FileOutputStream stream (file);
-    juce::PNGImageFormat().writeImageToStream (image, stream);
-    std::printf ("%s\n", file.getFullPathName().toRawUTF8());
-}
-
 /** Loads and plays what is wanted. */
 void show (const Screenshot& wanted, antinode::AntinodeProcessor& processor, antinode::Editor& editor)
 {
@@ -77,8 +55,9 @@ void show (const Screenshot& wanted, antinode::AntinodeProcessor& processor, ant
     processor.parameters().find ("notes")->setValueNotifyingHost (1); // no designs for unused notes
     auto& content = editor.content();
     content.setDark (wanted.isDark);
+    const auto isSettled = [&content] { return content.isSettled(); };
     processor.session().waitUntilSettled();
-    waitUntilShown (content);
+    antinode::refreshUntil (content, isSettled);
 
     if (wanted.hasFingers)
     {
@@ -87,7 +66,7 @@ void show (const Screenshot& wanted, antinode::AntinodeProcessor& processor, ant
         content.surface().fingers().setKnown (1, false);
         content.showPanel ("Felt");
         processor.session().waitUntilSettled();
-        waitUntilShown (content);
+        antinode::refreshUntil (content, isSettled);
     }
 
     play (processor, content);
@@ -99,7 +78,7 @@ void takeEditor (const Screenshot& wanted, const juce::File& folder)
     antinode::Editor editor (processor);
     editor.setSize (wanted.width, wanted.height);
     show (wanted, processor, editor);
-    write (editor, folder.getChildFile (wanted.file + ".png"));
+    antinode::writePicture (editor, folder.getChildFile (wanted.file + ".png"));
 }
 
 /** What a sensor gives of a tone of 200 Hz and two resonances above its noise, on input 3. */
@@ -134,13 +113,22 @@ void takeStandalone (const Screenshot& wanted, const juce::File& folder)
     show (wanted, host.processor(), *window.fociEditor());
     window.showSettings ("Routing");
     window.update();
-    write (window, folder.getChildFile (wanted.file + ".png"));
+    antinode::writePicture (window, folder.getChildFile (wanted.file + ".png"));
     window.showSettings ("Audio device");
     feedInput (host.callback());
     window.update();
-    write (window, folder.getChildFile (wanted.file + "-input.png"));
+    antinode::writePicture (window, folder.getChildFile (wanted.file + "-input.png"));
 }
 } // namespace
+
+void antinode::writePicture (juce::Component& component, const juce::File& file)
+{
+    const auto image = component.createComponentSnapshot (component.getLocalBounds(), true, 1);
+    file.deleteFile();
+    juce::FileOutputStream stream (file);
+    juce::PNGImageFormat().writeImageToStream (image, stream);
+    std::printf ("%s\n", file.getFullPathName().toRawUTF8());
+}
 
 /** Usage: antinode_screenshots FOLDER */
 int main (int argumentCount, char* arguments[])

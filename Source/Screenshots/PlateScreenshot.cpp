@@ -1,6 +1,6 @@
-#include "PlateScreenshot.h"
+#include "Screenshots.h"
 
-#include <Plate/PlateEditor.h>
+#include <Plate/PlateContent.h>
 #include <antinode_engine/VoltageSynthesiser.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/FocusDescription.h>
@@ -8,8 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <chrono>
-#include <thread>
+#include <algorithm>
+#include <string>
 
 namespace antinode
 {
@@ -60,16 +60,8 @@ void takePlate (const juce::File& file)
     auto& content = editor.content();
     play (processor, renderVoltages (*processor.session().snapshot()->model, "glass-finger"), content);
 
-    do
-    {
-        std::this_thread::sleep_for (std::chrono::milliseconds (10));
-        content.refresh (0);
-    } while (content.picture() == nullptr || content.picture()->step == 0);
-
+    refreshUntil (content, [&] { return content.picture() != nullptr && content.picture()->step > 0; });
     content.holdAt (PlatePath::capturedFrames / 2);
-    const auto image = editor.createComponentSnapshot (editor.getLocalBounds(), true, 1);
-    file.deleteFile();
-    juce::FileOutputStream stream (file);
-    juce::PNGImageFormat().writeImageToStream (image, stream);
+    writePicture (editor, file);
 }
 } // namespace antinode

@@ -1,16 +1,14 @@
-#include "TouchScreenshot.h"
+#include "Screenshots.h"
 
 #include <Standalone/MainComponent.h>
-#include <Touch/TouchEditor.h>
+#include <Touch/TouchContent.h>
 
 #include <antinode_library/Library.h>
 
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <cmath>
 #include <numbers>
-#include <thread>
 
 namespace antinode
 {
@@ -46,6 +44,7 @@ void playTracks (TouchProcessor& processor, TouchContent& content)
         content.refresh (touchBlock / touchRate);
     }
 }
+
 /** Four fingers on the glass plate, three of which play, and a focus for notes. */
 void putDown (TouchProcessor& processor)
 {
@@ -73,21 +72,8 @@ void putDown (TouchProcessor& processor)
 /** Plays until there is something to see. */
 void playUntilSeen (TouchProcessor& processor, TouchContent& content)
 {
-    do
-    {
-        std::this_thread::sleep_for (std::chrono::milliseconds (10));
-        content.refresh (0);
-    } while (! content.hasPicture() || ! content.volts().contains ("5 ms: "));
-
+    refreshUntil (content, [&] { return content.hasPicture() && content.volts().contains ("5 ms: "); });
     playTracks (processor, content);
-}
-
-void keepPicture (juce::Component& component, const juce::File& file)
-{
-    const auto image = component.createComponentSnapshot (component.getLocalBounds(), true, 1);
-    file.deleteFile();
-    juce::FileOutputStream stream (file);
-    juce::PNGImageFormat().writeImageToStream (image, stream);
 }
 } // namespace
 
@@ -98,7 +84,7 @@ void takeTouch (const juce::File& file)
     putDown (processor);
     TouchEditor editor (processor);
     playUntilSeen (processor, editor.content());
-    keepPicture (editor, file);
+    writePicture (editor, file);
 }
 
 void takeTouchStandalone (const juce::File& file)
@@ -112,6 +98,6 @@ void takeTouchStandalone (const juce::File& file)
     window.showSettings ("Inputs");
     playUntilSeen (host.processor(), window.touchEditor()->content());
     window.update();
-    keepPicture (window, file);
+    writePicture (window, file);
 }
 } // namespace antinode

@@ -3,6 +3,7 @@
 #include <antinode_base/InputError.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace antinode
@@ -12,6 +13,11 @@ namespace
 constexpr int hostTickMilliseconds = 50;
 constexpr juce::uint32 retryMilliseconds = 2000;
 constexpr int rampPatience = 500; // ms, for the end of the ramp of a device that may have died
+
+juce::String portInWords (int port)
+{
+    return port > 0 ? "on port " + juce::String (port) : juce::String ("off");
+}
 } // namespace
 
 AudioHost::AudioHost (SettingsFile fileToUse, bool keepsSettings)
@@ -22,13 +28,15 @@ AudioHost::AudioHost (SettingsFile fileToUse, bool keepsSettings)
 
 AudioHost::~AudioHost() = default;
 
-void AudioHost::begin (juce::AudioProcessor& processor, MidiQueue& notes)
+void AudioHost::begin (DeviceProcessor& processor, StopCount& stops)
 {
     // However it was left: whoever starts the program arms it.
     arm().setValueNotifyingHost (0);
     played = &processor;
+    notes = std::make_unique<MidiQueue> (stops);
+    midiInputs = std::make_unique<MidiInputs> (*notes);
     audio = std::make_unique<AudioCallback> (
-        processor, outputRouter, notes,
+        processor, outputRouter, *notes,
         PlayedLevels { [this] { return fullScaleVolts(); }, [this] { return arm().get(); } });
     passRouting();
     played->addListener (this);
@@ -41,6 +49,7 @@ void AudioHost::end()
 {
     stopTimer();
     shutDown();
+    midiInputs = nullptr;
     deviceManager.removeAudioCallback (audio.get());
     deviceManager.removeChangeListener (this);
     played->removeListener (this);
@@ -70,6 +79,13 @@ void AudioHost::setRouting (const OutputRouting& routing)
     validate (routing);
     kept.routing = routing;
     passRouting();
+    triggerAsyncUpdate();
+}
+
+void AudioHost::setMidi (const MidiChoice& choice)
+{
+    kept.midi = choice;
+    midiInputs->choose (choice);
     triggerAsyncUpdate();
 }
 
@@ -108,6 +124,7 @@ juce::String AudioHost::message (MessageSource source) const
 
 void AudioHost::openAll (const StandaloneSettings& wanted)
 {
+    setMidi (wanted.midi);
     attempt (MessageSource::ports, [&] { setTouch (wanted.touch); });
 
     // A device that has other rates or fewer channels than last time is better than none.
@@ -156,6 +173,27 @@ float AudioHost::takePeakVolts()
     return peak;
 }
 
+std::int64_t AudioHost::faultCount (const TouchCounters& counters)
+{
+    return std::accumulate (counters.faults.begin(), counters.faults.end(), std::int64_t());
+}
+
+juce::String AudioHost::touchStatus()
+{
+    const auto ports = openPorts();
+    const auto counters = touchCounters();
+    return "OSC " + portInWords (ports.oscPort) + ", TUIO " + portInWords (ports.tuioPort) + "\n"
+           + juce::String (counters.packets) + " packets, " + juce::String (counters.touches) + " touches forwarded\n"
+           + touchLines (counters);
+}
+
+std::string AudioHost::touchOutcome()
+{
+    const auto counters = touchCounters();
+    const auto packets = std::to_string (counters.packets) + " touch packet" + (counters.packets == 1 ? "" : "s");
+    return counters.packets == 0 ? std::string() : "of " + packets + ": " + unusedTouches (counters);
+}
+
 std::vector<UserMessage> AudioHost::messages()
 {
     std::vector<UserMessage> messages;
@@ -168,8 +206,8 @@ std::vector<UserMessage> AudioHost::messages()
     for (const auto& [source, text] : failures)
         addMessage (messages, Urgency::warning, text);
 
-    for (auto& message : playerMessages())
-        messages.push_back (std::move (message));
+    for (const auto& more : { played->messages(), midiInputs->messages() })
+        messages.insert (messages.end(), more.begin(), more.end());
 
     addMessage (messages, Urgency::warning, silentCeramics().toStdString());
     return worstFirst (std::move (messages));

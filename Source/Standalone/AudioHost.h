@@ -2,12 +2,15 @@
 
 #include "AudioCallback.h"
 #include "DeviceWatch.h"
+#include "MidiInputs.h"
 #include "SettingsFile.h"
 
+#include <Processor/DeviceProcessor.h>
 #include <Processor/StepParameters.h>
 
 #include <antinode_session/LevelMeters.h>
 #include <antinode_session/UserMessages.h>
+#include <antinode_touch/TouchCounters.h>
 
 #include <functional>
 #include <map>
@@ -27,9 +30,9 @@ enum class MessageSource
     saving
 };
 
-/** The standalone program without its windows and without what it plays: device, routing, and saved settings. Who
-    derives from it adds the processor, calls begin() when all is made and end() before anything of it goes. Starts
-    disarmed. */
+/** The standalone program without its windows and without what it plays: device, routing, MIDI inputs, and saved
+    settings. Who derives from it adds the processor, calls begin() when all is made and end() before anything of it
+   goes. Starts disarmed. */
 class AudioHost : private juce::ChangeListener,
                   private juce::AudioProcessorListener,
                   private juce::AsyncUpdater,
@@ -41,11 +44,13 @@ public:
     OutputRouter& router() { return outputRouter; }
     AudioCallback& callback() { return *audio; }
     juce::AudioDeviceManager& devices() { return deviceManager; }
+    MidiInputs& midi() { return *midiInputs; }
     const StandaloneSettings& settings() const { return kept; }
 
     /** Each takes effect, and is kept. @throws InputError  where it cannot be had [message thread] */
     virtual void openAudio (const AudioChoice&);
     void setRouting (const OutputRouting&);
+    void setMidi (const MidiChoice&);
     virtual void setTouch (const TouchPorts&) = 0;
 
     /** Whether the device that was opened has stopped to call. [message thread] */
@@ -55,9 +60,9 @@ public:
     void setDark (bool isDark);
     void setScale (double);
 
-    /** Opens what the settings say of audio and touch, and keeps them; what cannot be opened becomes a warning.
+    /** Opens what the settings say of audio, MIDI and touch, and keeps them; what cannot be opened becomes a warning.
         [message thread] */
-    virtual void openAll (const StandaloneSettings&);
+    void openAll (const StandaloneSettings&);
 
     /** Ramps everything to 0 V, ends all that plays and the identify tone; stays so until release. [any but the audio
         thread] */
@@ -100,12 +105,11 @@ public:
     float takePeakVolts();
 
     /** What touches came in and what became of them, in lines. [message thread] */
-    virtual juce::String touchStatus() = 0;
+    juce::String touchStatus();
 
-    /** What touches did that did nothing, for the end of a run; empty where none came. [message thread] */
-    virtual std::string touchOutcome() = 0;
-
-    virtual std::int64_t touchPackets() = 0;
+    /** How many packets came in, and what of them did nothing, for the end of a run; empty where none came. [message
+        thread] */
+    std::string touchOutcome();
 
     /** Whether cursors can play foci; else they are always fingers. */
     virtual bool playsFoci() const = 0;
@@ -124,9 +128,9 @@ protected:
         [message thread] */
     AudioHost (SettingsFile, bool keepsSettings);
 
-    /** From now on it lives. @param processor  what plays, as it was left last time; must live until end() [message
-        thread] */
-    void begin (juce::AudioProcessor& processor, MidiQueue&);
+    /** From now on it lives. @param processor  what plays, as it was left last time @param stops  of its session; both
+        must live until end() [message thread] */
+    void begin (DeviceProcessor& processor, StopCount& stops);
 
     /** Shuts down, and does nothing any more. [message thread] */
     void end();
@@ -137,15 +141,21 @@ protected:
     /** Says so until what it is about succeeds. */
     void warn (const std::string& text, MessageSource source = MessageSource::audio) { failures[source] = text; }
 
+    /** Of all kinds together. */
+    static std::int64_t faultCount (const TouchCounters&);
+
     StandaloneSettings kept;
 
 private:
     virtual void keepState (StandaloneSettings&) = 0; ///< What plays, into the settings.
     virtual void passAmplifiers (const std::vector<double>& /*volts*/) {}
-    virtual std::vector<UserMessage> playerMessages() = 0; ///< Of what plays, and of its MIDI inputs.
     virtual Eigen::VectorXd limits() = 0;   ///< Of the ceramics while this plays, V; none: no device is solved.
     virtual std::uint64_t generation() = 0; ///< Another one where limits may have changed.
     virtual void tick() {}                  ///< 20 times a second.
+    virtual TouchPorts openPorts() = 0;
+    virtual TouchCounters touchCounters() = 0;
+    virtual juce::String touchLines (const TouchCounters&) = 0;   ///< Of touchStatus().
+    virtual std::string unusedTouches (const TouchCounters&) = 0; ///< Of touchOutcome().
     virtual AudioChoice audioToKeep (AudioChoice opened) const { return opened; }
 
     void changeListenerCallback (juce::ChangeBroadcaster*) override;
@@ -164,8 +174,10 @@ private:
     std::map<MessageSource, std::string> failures;
     juce::uint32 portsTried = 0; ///< ms, when those that could not be opened were tried again.
     OutputRouter outputRouter;
-    juce::AudioProcessor* played = nullptr;
+    DeviceProcessor* played = nullptr;
+    std::unique_ptr<MidiQueue> notes;
     std::unique_ptr<AudioCallback> audio;
+    std::unique_ptr<MidiInputs> midiInputs;
     juce::AudioDeviceManager deviceManager;
     DeviceWatch watch;
     std::uint64_t seenGeneration = 0; ///< When it was looked at last.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <string>
 
 namespace antinode
 {
@@ -17,10 +16,12 @@ struct FingerInputs
     bool operator== (const FingerInputs&) const = default;
 };
 
-/** From a list "1,2,5" that counts from 1, 0 for none, and leaves out the last fingers, which then have none.
-    @throws InputError  where it is no such list [any] */
-FingerInputs readFingerInputs (const std::string& list);
-
 /** The sensor hears the first input that is open, fingers feel nothing. [any] */
-FingerInputs sensorAlone();
+inline FingerInputs sensorAlone()
+{
+    FingerInputs sensor;
+    sensor.inputs.fill (FingerInputs::none);
+    sensor.inputs.front() = FingerInputs::firstOpen;
+    return sensor;
+}
 } // namespace antinode

@@ -2,10 +2,14 @@
 
 #include <antinode_audio/Interruption.h>
 #include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_session/DesignSentences.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace antinode
 {
@@ -60,10 +64,11 @@ void HeadlessRun::timerCallback()
     if (isTimerRunning() && ! hasBegun)
         beginWhenReady();
 
-    if (isTimerRunning() && hasBegun)
-        tick();
-
     const auto rate = host.callback().sampleRate(); // 0 where the device has gone
+
+    if (isTimerRunning() && hasBegun && rate > 0)
+        following.print (*followed().status(), secondsPlayed (rate));
+
     const auto played = static_cast<double> (host.callback().samplesPlayed() - beginSamples);
     const auto isOver = hasBegun && duration > 0 && rate > 0 && played >= (armTime + duration) * rate;
 
@@ -72,6 +77,11 @@ void HeadlessRun::timerCallback()
 
     if (isTimerRunning() && (isOver || isInterrupted() || isUnread))
         end ({});
+}
+
+double HeadlessRun::secondsPlayed (double rate) const
+{
+    return static_cast<double> (host.callback().samplesPlayed() - beginSamples) / rate;
 }
 
 void HeadlessRun::beginWhenReady()
@@ -116,7 +126,7 @@ std::string HeadlessRun::endText()
     std::snprintf (volts, sizeof volts, "%.1f", static_cast<double> (host.takePeakVolts()));
     return "ended: " + playedText() + ", at most " + volts + " V, " + clampedText() + ", "
            + counted (host.router().meters().badNumbers(), "block") + " with invalid samples, "
-           + counted (std::max (0, host.devices().getXRunCount()), "xrun") + outcomeText() + touchText();
+           + counted (std::max (0, host.devices().getXRunCount()), "xrun") + following.ending() + touchText();
 }
 
 /** What was held at the limits of ceramics and at the full scale of outputs, and where. */
@@ -146,6 +156,115 @@ std::string HeadlessRun::clampedText()
 std::string HeadlessRun::touchText()
 {
     const auto outcome = host.touchOutcome();
-    return outcome.empty() ? std::string() : "; of " + counted (host.touchPackets(), "touch packet") + ": " + outcome;
+    return outcome.empty() ? std::string() : "; " + outcome;
+}
+
+FociRun::FociRun (StandaloneHost& hostToPlay, std::vector<TimedNote> notes, double seconds, bool isArmed)
+    : HeadlessRun (hostToPlay, seconds, isArmed), foci (hostToPlay)
+{
+    for (auto& note : notes)
+        note.seconds += armTime;
+
+    EventSchedule schedule (std::move (notes));
+
+    if (auto numbers = schedule.noteNumbers(); ! numbers.empty())
+        foci.processor().session().designFirst (std::move (numbers));
+
+    foci.callback().setSchedule (std::move (schedule));
+}
+
+std::string FociRun::waitingFor() const
+{
+    return "solving the device and designing the foci; the notes start after that";
+}
+
+bool FociRun::isReady()
+{
+    auto& session = foci.processor().session();
+    const auto now = session.snapshot();
+    const auto progress = session.progress();
+
+    for (const auto* const failure : { &now->error, &now->fingerError, &progress.liveError })
+        if (! failure->empty())
+            throw InputError ("", *failure);
+
+    const auto isOtherDevice = now->device == nullptr || now->device->text != foci.processor().device()->text;
+    return ! now->isSolving && ! isOtherDevice && progress.hasFirst;
+}
+
+std::string FociRun::designsText() const
+{
+    const auto progress = foci.processor().session().progress();
+    return progress.isDone() ? std::string()
+                             : "; " + std::to_string (progress.designed) + " of " + std::to_string (progress.wanted)
+                                   + " positions are designed, the others follow";
+}
+
+void FociRun::begin()
+{
+    auto& session = foci.processor().session();
+
+    if (const auto sentence = unplayableNotes (session.progress(), session.snapshot()->playback.sampleRate);
+        ! sentence.empty())
+        complain (sentence);
+
+    foci.callback().startSchedule();
+}
+
+/** Times are those of the schedule. */
+double FociRun::secondsPlayed (double rate) const
+{
+    return static_cast<double> (foci.callback().scheduleSamples()) / rate - armTime;
+}
+
+std::string FociRun::playedText()
+{
+    return counted (foci.processor().session().meters().triggered(), "trigger");
+}
+
+std::string TouchRun::waitingFor() const
+{
+    return "solving the device and designing the filters of the fingers; the inputs play after that";
+}
+
+bool TouchRun::isReady()
+{
+    const auto now = touch.processor().session().snapshot();
+
+    for (const auto* const failure : { &now->error, &now->formatError, &touch.fingersError(), &now->designError })
+        if (! failure->empty())
+            throw InputError ("", *failure);
+
+    const auto& settings = touch.processor().parameters().settings();
+    const auto isDesigned = now->designs[settings.latency] != nullptr && now->playedFingers == settings;
+    return touch.hasFingers() && now->model != nullptr && ! now->isSolving && isDesigned
+           && now->device->text == touch.processor().device()->text;
+}
+
+std::string TouchRun::designsText() const
+{
+    const auto settings = touch.processor().parameters().settings();
+    const auto count = [&] (FingerPresence presence)
+    {
+        return std::count_if (settings.fingers.begin(), settings.fingers.end(),
+                              [presence] (const auto& finger) { return finger.presence == presence; });
+    };
+    return "; " + counted (count (FingerPresence::plays), "finger") + " from "
+           + counted (std::ssize (openedAudio (touch.devices()).inputs), "input") + ", "
+           + std::to_string (count (FingerPresence::silent)) + " silent, "
+           + inWords (milli * touchLatencies[settings.latency]) + " ms of latency";
+}
+
+std::string TouchRun::playedText()
+{
+    auto& meters = touch.processor().session().fingerMeters();
+    std::string text;
+
+    for (int k = 0; k < mostFingers; ++k)
+        if (const auto asked = static_cast<double> (meters.displacements.take (k)); asked > 0)
+            text += (text.empty() ? "" : ", ") + ("finger " + std::to_string (k + 1)) + " asked for "
+                    + fixedText (micro * asked, 2) + " um";
+
+    return text.empty() ? "no finger was asked for anything" : text;
 }
 } // namespace antinode

@@ -1,9 +1,13 @@
 #pragma once
 
 #include "AudioHost.h"
+#include "FollowingReport.h"
+#include "StandaloneHost.h"
+#include "TouchHost.h"
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace antinode
 {
@@ -35,12 +39,12 @@ protected:
 private:
     /** Whether all is designed. @throws InputError  why nothing can play */
     virtual bool isReady() = 0;
-    virtual std::string waitingFor() const = 0;      ///< A line for the meantime.
-    virtual std::string designsText() const = 0;     ///< What else there is to say when it starts.
-    virtual void begin() {}                          ///< When it starts.
-    virtual void tick() {}                           ///< Again and again while it plays.
-    virtual std::string playedText() = 0;            ///< What was played, for the end.
-    virtual std::string outcomeText() { return {}; } ///< What else there is to say when it ends.
+    virtual std::string waitingFor() const = 0;  ///< A line for the meantime.
+    virtual std::string designsText() const = 0; ///< What else there is to say when it starts.
+    virtual void begin() {}                      ///< When it starts.
+    virtual FollowingRequests& followed() = 0;
+    virtual double secondsPlayed (double rate) const; ///< The time of what following says.
+    virtual std::string playedText() = 0;             ///< What was played, for the end.
 
     void timerCallback() override;
     void beginWhenReady();
@@ -54,6 +58,46 @@ private:
     double duration;
     bool arms, hasBegun = false;
     std::int64_t beginSamples = 0;
+    FollowingReport following;
     std::string failureText, ending; ///< When it ended.
+};
+
+/** Foci without windows: the notes of a schedule, once those are designed. */
+class FociRun final : public HeadlessRun
+{
+public:
+    /** As HeadlessRun. [message thread] */
+    FociRun (StandaloneHost& hostToPlay, std::vector<TimedNote> notes, double seconds, bool isArmed);
+
+private:
+    bool isReady() override;
+    std::string waitingFor() const override;
+    std::string designsText() const override;
+    void begin() override;
+    FollowingRequests& followed() override { return foci.processor().session().following(); }
+    double secondsPlayed (double rate) const override;
+    std::string playedText() override;
+
+    StandaloneHost& foci;
+};
+
+/** Antinode Touch without windows, from when its filters are designed. */
+class TouchRun final : public HeadlessRun
+{
+public:
+    /** As HeadlessRun. [message thread] */
+    TouchRun (TouchHost& hostToPlay, double seconds, bool isArmed)
+        : HeadlessRun (hostToPlay, seconds, isArmed), touch (hostToPlay)
+    {
+    }
+
+private:
+    bool isReady() override;
+    std::string waitingFor() const override;
+    std::string designsText() const override;
+    FollowingRequests& followed() override { return touch.processor().session().following(); }
+    std::string playedText() override;
+
+    TouchHost& touch;
 };
 } // namespace antinode

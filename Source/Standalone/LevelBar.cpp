@@ -1,7 +1,7 @@
 #include "LevelBar.h"
 
 #include <Editor/EditorLook.h>
-#include <juce_audio_basics/juce_audio_basics.h>
+#include <Editor/LevelRows.h>
 
 #include <algorithm>
 
@@ -9,8 +9,8 @@ namespace antinode
 {
 namespace
 {
-constexpr float fall = 0.9F;    // a call
-constexpr float quietest = -60; // dB
+constexpr float fall = 0.9F;     // a call
+constexpr double quietest = -60; // dB
 } // namespace
 
 void LevelBar::show (float peak, std::int64_t clamped)
@@ -31,7 +31,7 @@ void LevelBar::paint (juce::Graphics& g)
     auto area = getLocalBounds().toFloat().reduced (0, 7);
     const auto lamp = area.removeFromRight (area.getHeight());
     area.removeFromRight (4);
-    const auto share = std::clamp (1 - juce::Decibels::gainToDecibels (level, quietest) / quietest, 0.0F, 1.0F);
+    const auto share = static_cast<float> (levelShare (static_cast<double> (level), 1, quietest));
     g.setColour (palette.raised);
     g.fillRoundedRectangle (area, 2);
     g.setColour (palette.accent);

@@ -13,55 +13,45 @@ constexpr int topHeight = 52, windowMargin = 8, windowGap = 6, settingsWidth = 4
               barButtonWidth = 90;
 }
 
-MainComponent::MainComponent (AudioHost& hostToUse, std::unique_ptr<juce::AudioProcessorEditor> editor)
-    : host (hostToUse), player (std::move (editor)), audio (host), routing (host), touch (host)
+MainComponent::MainComponent (AudioHost& hostToUse, std::unique_ptr<ContentEditor> editor,
+                              SettingsPanel::SeparateNodes nodes)
+    : host (hostToUse), player (std::move (editor)), audio (host), routing (host), touch (host),
+      windowPanel (std::move (nodes))
 {
     setLookAndFeel (&look);
     addAndMakeVisible (frame);
     frame.setInterceptsMouseClicks (false, true);
-    // The window has edges of its own.
-    player->setResizable (true, false);
-}
-
-MainComponent::MainComponent (StandaloneHost& hostToUse)
-    : MainComponent (hostToUse, std::make_unique<Editor> (hostToUse.processor()))
-{
-    own = std::make_unique<MidiPanel> (hostToUse);
-    auto& content = fociEditor()->content();
-    content.leaveSettingsToWindow();
-    fociEditor()->setContentScale (1);
-    playerSizes = EditorContent::sizes;
-    followTheme (content);
-    begin ({ "MIDI", "MIDI inputs that trigger foci.", own.get() }, content.settingsPanel());
-}
-
-MainComponent::MainComponent (TouchHost& hostToUse)
-    : MainComponent (hostToUse, std::make_unique<TouchEditor> (hostToUse.processor()))
-{
-    own = std::make_unique<InputsPanel> (hostToUse);
-    followTheme (touchEditor()->content());
-    touchEditor()->content().touches().setVisible (false); // The program's ports are a setting of its own.
-    touchEditor()->setContentScale (1);
-    playerSizes = TouchContent::sizes;
-    ownWindowPanel = std::make_unique<SettingsPanel> (SettingsPanel::SeparateNodes {});
-    begin ({ "Inputs", "Input of the audio device that each finger feels.", own.get() }, *ownWindowPanel);
-}
-
-/** What is dark or light is the editor. */
-template <typename Content>
-void MainComponent::followTheme (Content& content)
-{
+    player->setResizable (true, false); // The window has edges of its own.
+    player->setContentScale (1);
+    auto& content = player->content();
     content.moreMessages = [this] { return messages(); };
     content.setDark (host.settings().isDark);
-    isEditorDark = [&content] { return content.isDark(); };
-    content.onTheme = [this]
+    content.onTheme = [this] // What is dark or light is the editor.
     {
-        host.setDark (isEditorDark());
+        host.setDark (player->content().isDark());
         showTheme();
     };
 }
 
-void MainComponent::begin (const PanelGroup::Panel& ownPanel, SettingsPanel& windowPanel)
+MainComponent::MainComponent (StandaloneHost& hostToUse)
+    : MainComponent (hostToUse, std::make_unique<Editor> (hostToUse.processor()),
+                     { [&hostToUse] { return hostToUse.processor().session().isGraphOpen(); },
+                       [&hostToUse] (bool isOpen) { hostToUse.processor().session().setGraphOpen (isOpen); } })
+{
+    own = std::make_unique<MidiPanel> (hostToUse);
+    fociEditor()->content().leaveSettingsToWindow();
+    begin ({ "MIDI", "MIDI inputs that trigger foci.", own.get() });
+}
+
+MainComponent::MainComponent (TouchHost& hostToUse)
+    : MainComponent (hostToUse, std::make_unique<TouchEditor> (hostToUse.processor()), {})
+{
+    own = std::make_unique<InputsPanel> (hostToUse);
+    touchEditor()->content().touches().setVisible (false); // The program's ports are a setting of its own.
+    begin ({ "Inputs", "Input of the audio device that each finger feels.", own.get() });
+}
+
+void MainComponent::begin (const PanelGroup::Panel& ownPanel)
 {
     mute.onClick = [this]
     {
@@ -172,6 +162,7 @@ std::vector<UserMessage> MainComponent::messages() const
 
 void MainComponent::showState()
 {
+    windowPanel.refresh();
     const auto& palette = look.palette();
     const auto isMuted = host.router().isMuted();
     mute.setButtonText (isMuted ? "MUTED: RELEASE" : "MUTE ALL");
@@ -185,7 +176,7 @@ void MainComponent::showState()
 
 void MainComponent::showTheme()
 {
-    look.setPalette (isEditorDark() ? Palette::dark() : Palette::light());
+    look.setPalette (player->content().isDark() ? Palette::dark() : Palette::light());
     const auto& palette = look.palette();
     latency.setColour (juce::Label::textColourId, palette.mutedText);
     settingsButton.setColour (juce::TextButton::buttonOnColourId, palette.raised);
@@ -212,13 +203,14 @@ void MainComponent::paint (juce::Graphics& g)
 ContentSizes MainComponent::sizes() const
 {
     const auto beside = settings.isVisible() ? settingsWidth : 0;
-    return { playerSizes.leastWidth + beside, playerSizes.leastHeight + topHeight, playerSizes.roomyWidth + beside,
-             playerSizes.roomyHeight + topHeight };
+    const auto& inside = player->content().shape().sizes;
+    return { inside.leastWidth + beside, inside.leastHeight + topHeight, inside.roomyWidth + beside,
+             inside.roomyHeight + topHeight };
 }
 
 void MainComponent::resized()
 {
-    if (getWidth() == 0 || playerSizes.leastWidth == 0)
+    if (getWidth() == 0)
         return;
 
     const auto scale = windowScale (getWidth(), getHeight(), sizes(), host.settings().scale);

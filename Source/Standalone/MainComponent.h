@@ -7,10 +7,9 @@
 #include "TouchHost.h"
 #include "TouchPanel.h"
 
-#include <Editor/Editor.h>
-#include <Touch/TouchEditor.h>
+#include <Editor/EditorContent.h>
+#include <Touch/TouchContent.h>
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -50,11 +49,9 @@ public:
     void resized() override;
 
 private:
-    MainComponent (AudioHost& hostToUse, std::unique_ptr<juce::AudioProcessorEditor> editor);
+    MainComponent (AudioHost& hostToUse, std::unique_ptr<ContentEditor> editor, SettingsPanel::SeparateNodes);
 
-    template <typename Content>
-    void followTheme (Content&);
-    void begin (const PanelGroup::Panel& ownPanel, SettingsPanel& windowPanel);
+    void begin (const PanelGroup::Panel& ownPanel);
     void layOut (juce::Rectangle<int>);
     ContentSizes sizes() const;
     void timerCallback() override { showState(); }
@@ -66,14 +63,12 @@ private:
     AudioHost& host;
     EditorLook look;
     juce::Component frame; ///< All that is seen, at scale 1.
-    std::unique_ptr<juce::AudioProcessorEditor> player;
-    ContentSizes playerSizes;
-    std::function<bool()> isEditorDark;
+    std::unique_ptr<ContentEditor> player;
     AudioPanel audio;
     RoutingPanel routing;
     std::unique_ptr<juce::Component> own; ///< The panel that only foci or only fingers have.
     TouchPanel touch;
-    std::unique_ptr<SettingsPanel> ownWindowPanel; ///< Where the editor has none.
+    SettingsPanel windowPanel;
     PanelGroup settings { "Settings" };
     juce::TextButton mute, settingsButton { "Settings" };
     juce::Label status, latency;

@@ -13,7 +13,7 @@ namespace
 constexpr int panelLookMilliseconds = 1000;
 }
 
-MidiPanel::MidiPanel (StandaloneHost& hostToUse) : host (hostToUse)
+MidiPanel::MidiPanel (AudioHost& hostToUse) : host (hostToUse)
 {
     all.setToggleState (host.settings().midi.all, juce::dontSendNotification);
     all.onClick = [this] { choose(); };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "StandaloneHost.h"
+#include "AudioHost.h"
 
 #include <juce_gui_basics/juce_gui_basics.h>
 
@@ -14,7 +14,7 @@ class MidiPanel final : public juce::Component, private juce::Timer
 {
 public:
     /** @param hostToUse  outlives this [message thread] */
-    explicit MidiPanel (StandaloneHost& hostToUse);
+    explicit MidiPanel (AudioHost& hostToUse);
 
     void resized() override;
 
@@ -23,7 +23,7 @@ private:
     void update();
     void choose();
 
-    StandaloneHost& host;
+    AudioHost& host;
     juce::ToggleButton all { "All inputs, including those plugged in later" };
     juce::Label none { {}, "No MIDI input is plugged in." };
     juce::Array<juce::MidiDeviceInfo> devices;

@@ -1,15 +1,54 @@
 #include "OutputRouter.h"
 
-#include "SampleChecks.h"
-
 #include <antinode_audio/IdentifyTone.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <span>
 
 namespace antinode
 {
+namespace
+{
+/** The index of the first sample of any channel that is not finite, from an offset on, or `count`. */
+int firstBadSample (std::span<const float* const> channels, int offset, int count)
+{
+    for (const auto* const channel : channels)
+        for (int n = 0; n < count; ++n)
+            if (! std::isfinite (channel[offset + n]))
+                count = n;
+
+    return count;
+}
+
+/** Copies samples clamped to what an output can play: finite, and within full scale. @param clamped  grows by those
+    that were beyond it */
+void copyWithin (const float* from, float* to, int count, double factor, std::int64_t& clamped)
+{
+    for (int n = 0; n < count; ++n)
+    {
+        // In single precision the product of a limit could come out beyond full scale.
+        const auto value = static_cast<float> (static_cast<double> (from[n]) * factor);
+        const auto allowed = std::isfinite (value) ? std::clamp (value, -1.0F, 1.0F) : 0.0F;
+        clamped += static_cast<int> (std::abs (value) > 1.0F);
+        to[n] = allowed;
+    }
+}
+
+/** The largest magnitude. */
+float absolutePeak (const float* samples, int count)
+{
+    float peak = 0;
+
+    for (int n = 0; n < count; ++n)
+        peak = std::max (peak, std::abs (samples[n]));
+
+    return peak;
+}
+} // namespace
+
 /** A routing as the audio thread wants it: what each output gives. */
 struct OutputRouter::Table
 {

@@ -3,6 +3,7 @@
 #include "PanelSizes.h"
 
 #include <Editor/EditorLook.h>
+#include <antinode_base/TypedNumber.h>
 
 #include <algorithm>
 #include <utility>
@@ -11,9 +12,139 @@ namespace antinode
 {
 namespace
 {
+constexpr int nameWidth = 30, outputWidth = 66, voltsWidth = 60, polarityWidth = 30, identifyWidth = 66, gap = 6;
+constexpr int noOutput = OutputRouting::maximumOutputs + 1; // identifiers of a choice cannot be 0
+
 constexpr int headHeight = 22, levelMilliseconds = 50;
 constexpr int noMonitor = OutputRouting::maximumOutputs + 1;
 } // namespace
+
+RoutingRow::RoutingRow (AudioHost& hostToUse, int ceramicToShow, int outputs)
+    : host (hostToUse), ceramic (ceramicToShow)
+{
+    name.setText (juce::String (ceramic + 1), juce::dontSendNotification);
+    outputChoice.addItem ("none", noOutput);
+
+    for (int i = 0; i < outputs; ++i)
+        outputChoice.addItem (juce::String (i + 1), i + 1);
+
+    outputChoice.onChange = [this]
+    {
+        const auto chosen = outputChoice.getSelectedId();
+        host.setRouting (
+            withOutput (host.settings().routing, ceramic, chosen == noOutput ? OutputRouting::none : chosen - 1));
+    };
+    volts.setInputRestrictions (10, "0123456789.,V ");
+    name.setFont (EditorLook::font (EditorLook::smallTextHeight));
+    volts.setFont (EditorLook::font (EditorLook::smallTextHeight));
+    volts.setJustification (juce::Justification::centredLeft);
+    volts.setTooltip (
+        "Voltage at the ceramic for a full-scale sample, V. Empty: the value of the device, shown in grey.");
+    volts.setEscapeAndReturnKeysConsumed (false);
+    volts.onReturnKey = volts.onFocusLost = [this] { changeChain(); };
+    polarity.setClickingTogglesState (true);
+    polarity.onClick = [this] { changeChain(); };
+    polarity.setTooltip ("Polarity: minus for swapped wires");
+    identify.setTooltip ("Plays soft bursts on this ceramic only, to identify it. Works only while armed.");
+    level.setTooltip ("Peak of the output, from 60 dB below full scale. The lamp shows that samples beyond full "
+                      "scale were clamped.");
+    identify.onClick = [this]
+    { host.router().identify (host.router().identified() == ceramic ? OutputRouting::none : ceramic); };
+
+    for (auto* const child :
+         std::initializer_list<juce::Component*> { &name, &outputChoice, &volts, &polarity, &identify, &level })
+        addAndMakeVisible (child);
+
+    update();
+}
+
+void RoutingRow::update()
+{
+    const auto isRouted = output() != OutputRouting::none;
+    const auto& routing = host.settings().routing;
+    const auto chain = isRouted ? routing.chains[static_cast<std::size_t> (output())] : OutputChain {};
+    outputChoice.setSelectedId (isRouted ? output() + 1 : noOutput, juce::dontSendNotification);
+
+    if (! volts.hasKeyboardFocus (true))
+        volts.setText (chain.voltsPerFullScale > 0 ? juce::String (chain.voltsPerFullScale) : juce::String(), false);
+
+    // Not that of the last block, which may be the device's before.
+    const auto model = host.model();
+    const auto fullScale = model != nullptr ? model->fullScaleVoltage : 0.0;
+    volts.setTextToShowWhenEmpty (fullScale > 0 ? juce::String (fullScale) : juce::String(),
+                                  EditorLook::findPalette (*this).mutedText);
+    polarity.setToggleState (chain.polarity < 0, juce::dontSendNotification);
+    polarity.setButtonText (chain.polarity < 0 ? juce::String::charToString (0x2212) : juce::String ("+"));
+    volts.setEnabled (isRouted);
+    polarity.setEnabled (isRouted);
+}
+
+void RoutingRow::updateLevel()
+{
+    const auto isArmed = host.arm().get();
+    identify.setEnabled (isArmed && output() != OutputRouting::none);
+    identify.setToggleState (host.router().identified() == ceramic, juce::dontSendNotification);
+
+    if (output() == OutputRouting::none)
+        return level.show (0, 0);
+
+    const auto clamped = host.router().meters().clampedSamples (output());
+
+    // What the device or the ceramic before had there is not meant.
+    if (std::exchange (clampedOutput, output()) != output())
+        clampedBefore = clamped;
+
+    level.show (host.router().meters().takePeak (output()), clamped - clampedBefore);
+}
+
+void RoutingRow::changeChain()
+{
+    if (output() == OutputRouting::none)
+        return;
+
+    auto routing = host.settings().routing;
+    auto& chain = routing.chains[static_cast<std::size_t> (output())];
+    const auto text = volts.getText().trim().toStdString();
+    chain = { text.empty() ? 0.0 : typedNumber (text, { "V" }).value_or (chain.voltsPerFullScale),
+              polarity.getToggleState() ? -1 : 1 };
+    host.setRouting (routing);
+}
+
+void RoutingRow::lookAndFeelChanged()
+{
+    volts.applyColourToAllText (EditorLook::findPalette (*this).text);
+    update();
+}
+
+void RoutingRow::resized()
+{
+    auto area = getLocalBounds().reduced (0, 2);
+    const auto take = [&] (int width)
+    {
+        const auto taken = area.removeFromLeft (width);
+        area.removeFromLeft (gap);
+        return taken;
+    };
+    name.setBounds (take (nameWidth));
+    outputChoice.setBounds (take (outputWidth));
+    volts.setBounds (take (voltsWidth));
+    polarity.setBounds (take (polarityWidth));
+    identify.setBounds (take (identifyWidth));
+    level.setBounds (area);
+}
+
+void RoutingRow::paintHeadings (juce::Graphics& g, juce::Rectangle<int> area)
+{
+    g.setFont (EditorLook::font (EditorLook::smallTextHeight));
+    const auto write = [&] (const char* text, int width)
+    { g.drawText (text, area.removeFromLeft (width + gap), juce::Justification::centredLeft); };
+    write ("C", nameWidth);
+    write ("Output", outputWidth);
+    write ("V at full scale", voltsWidth + polarityWidth + gap);
+    write ("", identifyWidth);
+    g.drawText ("Level", area, juce::Justification::centredLeft);
+    g.drawText ("Clamped", area, juce::Justification::centredRight);
+}
 
 RoutingPanel::RoutingPanel (AudioHost& hostToUse) : host (hostToUse)
 {

@@ -1,10 +1,9 @@
 #include "Standalone.h"
 
 #include "ApplyOptions.h"
-#include "FociRun.h"
-#include "MainComponent.h"
-#include "TouchRun.h"
-#include "WindowRun.h"
+#include "HeadlessRun.h"
+#include "MainWindow.h"
+#include "OptionValues.h"
 
 #include <antinode_audio/Interruption.h>
 #include <antinode_audio/QuietLibraries.h>
@@ -15,6 +14,7 @@
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 namespace antinode
 {
@@ -44,35 +44,42 @@ void listDevices()
     }
 }
 
-void runHeadless (const StandaloneOptions& options)
+/** @param load     takes what the options say over the settings
+    @param makeRun  makes a run of a host whose device is not open yet */
+template <typename Host, typename Load, typename MakeRun>
+void runHeadless (const StandaloneOptions& options, const Load& load, const MakeRun& makeRun)
 {
-    auto notes = readNotes (options);
-    StandaloneHost host (chooseSettingsFile (options), false);
+    Host host (chooseSettingsFile (options), false);
 
     if (const auto warning = host.warning(); warning.isNotEmpty())
         complain (warning.toStdString());
 
-    loadDocuments (host, options);
+    load (host, options);
     const auto settings = withOptions (host.settings(), options);
-    FociRun headless (host, std::move (notes), options.duration, options.isArmed);
+    auto headless = makeRun (host);
     host.setTouch (settings.touch);
-    host.setMidi (settings.midi);
+
+    if (host.playsFoci())
+        host.setMidi (settings.midi);
+
     host.openAudio (settings.audio);
-    headless.run();
+    headless->run();
+}
+
+void runFociHeadless (const StandaloneOptions& options)
+{
+    auto notes = readNotes (options);
+    runHeadless<StandaloneHost> (
+        options, loadDocuments,
+        [&] (StandaloneHost& host)
+        { return std::make_unique<FociRun> (host, std::move (notes), options.duration, options.isArmed); });
 }
 
 void runTouchHeadless (const StandaloneOptions& options)
 {
-    TouchHost host (chooseSettingsFile (options), false);
-
-    if (const auto warning = host.warning(); warning.isNotEmpty())
-        complain (warning.toStdString());
-
-    loadFingers (host, options);
-    const auto settings = withOptions (host.settings(), options);
-    host.setTouch (settings.touch);
-    host.openAudio (settings.audio);
-    TouchRun (host, options.duration, options.isArmed).run();
+    runHeadless<TouchHost> (options, loadFingers,
+                            [&] (TouchHost& host)
+                            { return std::make_unique<TouchRun> (host, options.duration, options.isArmed); });
 }
 
 /** @param load  takes what the options say over the settings */
@@ -95,7 +102,7 @@ void run (const StandaloneOptions& options)
     if (options.listsDevices)
         listDevices();
     else if (options.isHeadless)
-        options.playsTouch ? runTouchHeadless (options) : runHeadless (options);
+        options.playsTouch ? runTouchHeadless (options) : runFociHeadless (options);
     else if (options.playsTouch)
         runWindow<TouchHost> (options, loadFingers);
     else

@@ -1,10 +1,9 @@
 #include "StandaloneHost.h"
 
-#include "TouchWords.h"
-#include "TriggerLatency.h"
-
 #include <antinode_base/InputError.h>
+#include <antinode_base/NumberText.h>
 #include <antinode_focus/DriveAllocation.h>
+#include <antinode_focus/FocusMoments.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,13 +11,47 @@
 
 namespace antinode
 {
+std::optional<TriggerLatency> triggerLatency (StandaloneHost& host)
+{
+    auto* const device = host.devices().getCurrentAudioDevice();
+    const auto snapshot = host.processor().session().snapshot();
+
+    if (device == nullptr || ! (device->getCurrentSampleRate() > 0) || snapshot == nullptr || snapshot->model == nullptr
+        || snapshot->focus.targets.empty())
+        return {};
+
+    const auto rate = device->getCurrentSampleRate();
+    return TriggerLatency { earliestFocusTime (snapshot->focus), device->getCurrentBufferSizeSamples() / rate,
+                            std::max (0, device->getOutputLatencyInSamples()) / rate };
+}
+
+juce::String latencyInWords (const TriggerLatency& latency)
+{
+    const auto milliseconds = [] (double seconds) { return fixedText (seconds * 1000, 1); };
+    return juce::String ("focus " + milliseconds (latency.whole())
+                         + " ms after a note: " + milliseconds (latency.focusTime) + " focus time, "
+                         + milliseconds (latency.block) + " block, " + milliseconds (latency.output) + " output");
+}
+
+juce::String latencyAdvice (const TriggerLatency& latency)
+{
+    const juce::String touch (" A touch is designed first, which takes the time of one design more: shortest with the "
+                              "method exact and few modes.");
+
+    if (latency.focusTime >= latency.block + latency.output)
+        return "A shorter focus time lowers the latency most; it takes more voltage." + touch;
+
+    return "A smaller block in Settings, Audio device, lowers the latency most; it takes more of the processor."
+           + touch;
+}
+
 StandaloneHost::StandaloneHost (SettingsFile fileToUse, bool keepsSettings)
     : AudioHost (std::move (fileToUse), keepsSettings)
 {
     if (kept.state)
         player.setState (*kept.state, true);
 
-    begin (player, midiQueue);
+    begin (player, player.session().stops());
     callback().setInputs (sensorAlone());
 }
 
@@ -49,34 +82,11 @@ void StandaloneHost::restTouches()
         tellChange();
 }
 
-void StandaloneHost::setMidi (const MidiChoice& choice)
-{
-    kept.midi = choice;
-    midiInputs.choose (choice);
-    tellChange();
-}
-
-void StandaloneHost::openAll (const StandaloneSettings& wanted)
-{
-    setMidi (wanted.midi);
-    AudioHost::openAll (wanted);
-}
-
 void StandaloneHost::shutDown()
 {
     touchInput.open ({ 0, 0, kept.touch.address });
     player.setTouches ({});
     AudioHost::shutDown();
-}
-
-std::vector<UserMessage> StandaloneHost::playerMessages()
-{
-    auto messages = player.messages();
-
-    for (auto& message : midiInputs.messages())
-        messages.push_back (std::move (message));
-
-    return messages;
 }
 
 Eigen::VectorXd StandaloneHost::limits()
@@ -85,28 +95,22 @@ Eigen::VectorXd StandaloneHost::limits()
     return now->model != nullptr ? voltageLimits (*now->model, now->focus.allocation) : Eigen::VectorXd();
 }
 
-juce::String StandaloneHost::touchStatus()
+juce::String StandaloneHost::touchLines (const TouchCounters& counters)
 {
-    const auto counters = touchInput.counters();
     const auto unplayed = touchInput.unplayed();
     const auto resting = static_cast<int> (player.touches().size());
     const auto waiting = std::max (0, static_cast<int> (touchInput.resting().count()) - resting);
-    return portsInWords (touchInput.ports()) + "\n" + packetsInWords (counters) + "\n" + juce::String (resting)
-           + " fingers rest, " + juce::String (waiting) + " wait for room\n" + "Dropped: "
+    return juce::String (resting) + " fingers rest, " + juce::String (waiting) + " wait for room\n" + "Dropped: "
            + juce::String (counters.limited) + " foci above 500 per second, " + juce::String (faultCount (counters))
            + " faulty,\n" + juce::String (unplayed.outsideSurface) + " outside the surface, "
            + juce::String (unplayed.notAccepted) + " without a device or with a full queue,\n"
            + juce::String (unplayed.withoutKind) + " fingers while cursors play foci";
 }
 
-std::string StandaloneHost::touchOutcome()
+std::string StandaloneHost::unusedTouches (const TouchCounters& counters)
 {
-    const auto counters = touchInput.counters();
     const auto unplayed = touchInput.unplayed();
     const auto dropped = counters.limited + unplayed.notAccepted + unplayed.withoutKind + faultCount (counters);
-
-    if (counters.packets == 0)
-        return {};
 
     return std::to_string (unplayed.outsideSurface) + " outside the surface, " + std::to_string (dropped)
            + " dropped for other reasons";

@@ -1,7 +1,5 @@
 #include "TouchHost.h"
 
-#include "TouchWords.h"
-
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
@@ -43,7 +41,7 @@ TouchHost::TouchHost (SettingsFile fileToUse, bool keepsSettings) : AudioHost (s
         player.setState (state, true);
     }
 
-    begin (player, midiQueue);
+    begin (player, player.session().stops());
     callback().setInputs (kept.inputs);
 }
 
@@ -87,13 +85,6 @@ void TouchHost::setTouch (const TouchPorts& ports)
     player.network().open (ports);
 }
 
-void TouchHost::openAll (const StandaloneSettings& wanted)
-{
-    kept.midi = wanted.midi;
-    midiInputs.choose (wanted.midi);
-    AudioHost::openAll (wanted);
-}
-
 /** What is kept has no touches: they are lifted first. */
 void TouchHost::shutDown()
 {
@@ -107,16 +98,6 @@ void TouchHost::keepState (StandaloneSettings& settings)
     auto state = player.state();
     state.parameters = withoutPorts (std::move (state.parameters));
     settings.touchState = std::move (state);
-}
-
-std::vector<UserMessage> TouchHost::playerMessages()
-{
-    auto messages = player.messages();
-
-    for (auto& message : midiInputs.messages())
-        messages.push_back (std::move (message));
-
-    return messages;
 }
 
 Eigen::VectorXd TouchHost::limits()
@@ -143,24 +124,16 @@ std::uint64_t TouchHost::generation()
     return seen;
 }
 
-juce::String TouchHost::touchStatus()
+juce::String TouchHost::touchLines (const TouchCounters& counters)
 {
-    auto& network = player.network();
-    const auto counters = network.counters();
-    return portsInWords (network.ports()) + "\n" + packetsInWords (counters) + "\n"
-           + juce::String (network.touches().resting()) + " fingers touched, "
-           + juce::String (network.touches().waiting())
+    const auto& touches = player.network().touches();
+    return juce::String (touches.resting()) + " fingers touched, " + juce::String (touches.waiting())
            + " touches wait for one\nDropped: " + juce::String (faultCount (counters)) + " faulty, "
-           + juce::String (network.touches().dropped()) + " too many";
+           + juce::String (touches.dropped()) + " too many";
 }
 
-std::string TouchHost::touchOutcome()
+std::string TouchHost::unusedTouches (const TouchCounters& counters)
 {
-    const auto counters = player.network().counters();
-
-    if (counters.packets == 0)
-        return {};
-
     return std::to_string (faultCount (counters)) + " faulty, " + std::to_string (player.network().touches().dropped())
            + " touches too many";
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "AudioHost.h"
-#include "MidiInputs.h"
 
 #include <Touch/TouchProcessor.h>
 
@@ -19,8 +18,7 @@ struct WantedFinger
     double level = 5e-6; ///< m that 1.0 of its input moves it; 0: it rests and feels nothing.
 };
 
-/** The standalone program without its windows, playing Antinode Touch: inputs of the audio device feed fingers, MIDI
-    inputs its focus, outputs drive ceramics. */
+/** The standalone program without its windows, playing Antinode Touch: inputs of the audio device feed fingers. */
 class TouchHost : public AudioHost
 {
 public:
@@ -44,9 +42,6 @@ public:
     /** Opens all inputs of the device. */
     void openAudio (const AudioChoice&) override;
     void setTouch (const TouchPorts&) override;
-
-    /** Listens to the MIDI inputs of the settings too: their notes play the focus. */
-    void openAll (const StandaloneSettings&) override;
     void shutDown() override;
 
     std::shared_ptr<const ModalModel> model() override { return player.session().snapshot()->model; }
@@ -54,9 +49,6 @@ public:
     SwitchParameter& arm() override { return player.parameters().arm(); }
     void stopAll() override { player.stopAll(); }
     LevelMeters& meters() override { return player.session().meters(); }
-    juce::String touchStatus() override;
-    std::string touchOutcome() override;
-    std::int64_t touchPackets() override { return player.network().counters().packets; }
     bool playsFoci() const override { return false; }
     juce::String latencyText() override;
     juce::String latencyAdviceText() override;
@@ -65,17 +57,18 @@ public:
     void tick() override;
 
 private:
+    TouchPorts openPorts() override { return player.network().ports(); }
+    TouchCounters touchCounters() override { return player.network().counters(); }
+    juce::String touchLines (const TouchCounters&) override;
+    std::string unusedTouches (const TouchCounters&) override;
     void keepState (StandaloneSettings&) override;
     void passAmplifiers (const std::vector<double>& volts) override { player.session().setAmplifiers (volts); }
-    std::vector<UserMessage> playerMessages() override;
     Eigen::VectorXd limits() override;
     std::uint64_t generation() override;
     AudioChoice audioToKeep (AudioChoice opened) const override;
     std::map<std::string, double> fingerValues (const Surface&);
 
     TouchProcessor player { TouchProcessor::maximumCeramics, juce::AudioProcessor::wrapperType_Undefined };
-    MidiQueue midiQueue { player.session().stops() };
-    MidiInputs midiInputs { midiQueue };
     std::vector<WantedFinger> wantedFingers;
     std::string fingerFailure;
     std::shared_ptr<const ModalModel> seenModel;

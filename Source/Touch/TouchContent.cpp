@@ -1,10 +1,13 @@
 #include "TouchContent.h"
 
-#include "LatencyVolts.h"
 #include "TouchSentences.h"
+
+#include <Editor/JuceText.h>
 
 #include <antinode_base/Prefixes.h>
 #include <antinode_felt/FeltMotion.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,24 +17,27 @@ namespace antinode
 {
 namespace
 {
-constexpr int touchTop = 44, touchGap = 6, voltsHeight = 40, panelWidth = 330;
+constexpr int voltsHeight = 40, panelWidth = 330;
 constexpr double feltFall = 20;        // dB per second
 constexpr double waveformShown = 0.06; // s, beside each finger
 } // namespace
 
 TouchContent::TouchContent (TouchProcessor& processorToShow)
-    : processor (processorToShow), device ([this] (auto chosen) { processor.load (std::move (chosen)); }),
-      focus (processor), touchesButton (processor), surfaceView (processor), fingerPanel (processor.parameters()),
-      drift (driftSource()), tooltips (this, 600)
+    : WindowContent ("Antinode Touch", { { 760, 560, 1300, 860 }, 1040, 640, 30, 44 }), processor (processorToShow),
+      device (LibraryKind::device, "device",
+              [this] (const auto& json, const auto& source)
+              { processor.load (std::make_shared<const DeviceDocument> (readDeviceDocument (json, source))); }),
+      focus (
+          LibraryKind::focus, "focus",
+          [this] (const auto& json, const auto& source)
+          { processor.loadFocus (std::make_shared<const FocusDocument> (readFocusDocument (json, source))); },
+          [this] { processor.loadFocus (nullptr); }),
+      touchesButton (processor), surfaceView (processor), fingerPanel (processor.parameters()), drift (driftSource())
 {
-    juce::LookAndFeel::setDefaultLookAndFeel (&fonts.get());
-    setLookAndFeel (&look);
-    setTitle ("Antinode Touch");
     device.setTooltip ("The device that the fingers rest on. Click to choose another.");
-    theme.setButtonText (juce::String::fromUTF8 ("\xE2\x97\x90"));
-    theme.setTitle ("Light or dark");
-    theme.setTooltip ("Light or dark");
-    theme.onClick = [this] { setDark (! isDark()); };
+    focus.setTooltip (
+        "The focus that MIDI notes play on top of the tracks: middle C at its own place, the others spread over "
+        "the surface. Click to choose another, or none.");
     driftChoice.setClickingTogglesState (true);
     driftChoice.setTooltip ("The sensor that follows the drift of the device, and what it says");
     driftChoice.onClick = [this]
@@ -40,46 +46,24 @@ TouchContent::TouchContent (TouchProcessor& processorToShow)
         motions.setVisible (! drift.isVisible());
     };
     surfaceView.onSelect = [this] (std::size_t finger) { fingerPanel.select (finger); };
+    bar.addLeft (device, 210);
+    bar.addLeft (focus, 190);
+    bar.addLeft (touchesButton, 260);
+    bar.addRight (bar.theme, 34);
+    bar.addRight (driftChoice, 60);
 
     for (juce::Component* const child :
-         std::initializer_list<juce::Component*> { &device, &focus, &touchesButton, &driftChoice, &theme, &surfaceView,
-                                                   &fingerPanel, &motions, &voltages, &statusView })
+         std::initializer_list<juce::Component*> { &surfaceView, &fingerPanel, &motions, &voltages })
         addAndMakeVisible (child);
 
-    statusView.onHeight = [this] { resized(); };
     addChildComponent (drift);
     processor.session().setComparing (true);
-    setDark (true);
-    setSize (sizes.leastWidth, sizes.leastHeight);
-    refresh (0);
+    begin();
 }
 
 TouchContent::~TouchContent()
 {
     processor.session().setComparing (false);
-    rest->stop();
-    setLookAndFeel (nullptr);
-}
-
-void TouchContent::setDark (bool isDark)
-{
-    look.setPalette (isDark ? Palette::dark() : Palette::light());
-    sendLookAndFeelChange();
-
-    if (onTheme)
-        onTheme();
-}
-
-void TouchContent::lookAndFeelChanged()
-{
-    for (juce::TextButton* const button :
-         std::initializer_list<juce::TextButton*> { &device, &focus, &touchesButton, &driftChoice, &theme })
-    {
-        button->setColour (juce::TextButton::buttonColourId, look.palette().raised);
-        button->setColour (juce::TextButton::textColourOffId, look.palette().text);
-    }
-
-    repaint();
 }
 
 void TouchContent::refresh (double seconds)
@@ -87,11 +71,10 @@ void TouchContent::refresh (double seconds)
     takeSnapshot();
     surfaceView.refresh (snapshot, fingerPanel.selected());
     fingerPanel.refresh();
-    focus.refresh();
     touchesButton.refresh();
     drift.refresh();
     showFingers (seconds);
-    showVoltages (seconds);
+    voltages.showVoltages (snapshot->model.get(), processor.session().meters(), seconds);
     showStatus (seconds);
 }
 
@@ -118,8 +101,12 @@ void TouchContent::takeSnapshot()
         }
 
         snapshot = std::move (now);
-        device.setDevice (*processor.device());
+        device.setButtonText ("Device: " + fromUtf8 (processor.device()->description.name));
     }
+
+    const auto notes = processor.focus();
+    focus.setButtonText ("Notes: "
+                         + (notes != nullptr ? fromUtf8 (notes->description.name) : juce::String ("nothing")));
 
     if (auto newest = rest->picture(); newest != nullptr && newest != picture)
     {
@@ -179,21 +166,6 @@ AskedMotion TouchContent::askedOf (const FingerMeters& meters, std::size_t finge
     return motion;
 }
 
-void TouchContent::showVoltages (double seconds)
-{
-    std::vector<LevelRows::Row> rows;
-    std::vector<double> values;
-
-    for (int i = 0; snapshot->model != nullptr && i < static_cast<int> (snapshot->model->actuators()); ++i)
-    {
-        rows.push_back ({ juce::String (i + 1), {}, voltageLimit (*snapshot->model, static_cast<std::size_t> (i)) });
-        values.push_back (static_cast<double> (processor.session().meters().takePeak (i)));
-    }
-
-    voltages.setRows (std::move (rows));
-    voltages.refresh (values, seconds);
-}
-
 void TouchContent::showStatus (double seconds)
 {
     auto messages = touchSentences (processor, *snapshot);
@@ -201,10 +173,10 @@ void TouchContent::showStatus (double seconds)
     for (const auto& error : { device.error(), focus.error(), touchesButton.error() })
         addMessage (messages, Urgency::warning, error.toStdString());
 
-    for (auto& message : moreMessages ? moreMessages() : std::vector<UserMessage>())
+    for (auto& message : messagesBeside())
         messages.push_back (std::move (message));
 
-    statusView.show (std::move (messages), {}, seconds);
+    status.show (std::move (messages), {}, seconds);
 
     if (const auto volts = latencyVoltsText (*snapshot, processor.parameters().controls());
         std::exchange (voltsText, volts) != volts)
@@ -213,11 +185,8 @@ void TouchContent::showStatus (double seconds)
 
 void TouchContent::paint (juce::Graphics& g)
 {
+    WindowContent::paint (g);
     const auto& palette = look.palette();
-    g.fillAll (palette.window);
-    auto area = getLocalBounds();
-    g.setColour (palette.panel);
-    g.fillRect (area.removeFromTop (touchTop));
     g.setFont (EditorLook::font (EditorLook::smallTextHeight));
     auto box = fingerPanel.getBounds().withY (fingerPanel.getBottom()).withHeight (voltsHeight);
     g.setColour (palette.panel);
@@ -230,28 +199,17 @@ void TouchContent::paint (juce::Graphics& g)
     g.drawText (voltsText, box, juce::Justification::centredLeft);
 }
 
-void TouchContent::resized()
+void TouchContent::layOut (juce::Rectangle<int> area)
 {
-    auto area = getLocalBounds();
-    auto top = area.removeFromTop (touchTop).reduced (8, 6);
-    statusView.setBounds (area.removeFromBottom (statusView.wantedHeight()));
-    device.setBounds (top.removeFromLeft (210));
-    top.removeFromLeft (touchGap);
-    focus.setBounds (top.removeFromLeft (190));
-    theme.setBounds (top.removeFromRight (34));
-    top.removeFromRight (touchGap);
-    driftChoice.setBounds (top.removeFromRight (60));
-    top.removeFromRight (touchGap);
-    touchesButton.setBounds (top.removeFromRight (std::min (260, top.getWidth() - touchGap)));
-    area = area.reduced (touchGap);
+    area = area.reduced (gap);
     auto right = area.removeFromRight (panelWidth);
-    area.removeFromRight (touchGap);
+    area.removeFromRight (gap);
     fingerPanel.setBounds (right.removeFromTop (FingerPanel::height()));
-    right.removeFromTop (voltsHeight + touchGap);
+    right.removeFromTop (voltsHeight + gap);
     motions.setBounds (right);
     drift.setBounds (right);
     voltages.setBounds (area.removeFromBottom (std::min (130, area.getHeight() / 4)));
-    area.removeFromBottom (touchGap);
+    area.removeFromBottom (gap);
     surfaceView.setBounds (area);
 }
 } // namespace antinode

@@ -1,6 +1,6 @@
 #include "TouchProcessor.h"
 
-#include "TouchEditor.h"
+#include "TouchContent.h"
 
 #include <antinode_base/InputError.h>
 

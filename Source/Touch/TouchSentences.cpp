@@ -1,8 +1,8 @@
 #include "TouchSentences.h"
 
-#include "LatencyVolts.h"
-
 #include <antinode_session/DesignSentences.h>
+
+#include <Eigen/Core>
 
 #include <cmath>
 #include <string>
@@ -59,6 +59,30 @@ std::string fociSentence (FociUnderFingers foci)
 }
 } // namespace
 
+std::optional<double> noiseVolts (const TouchSnapshot& snapshot, const TouchControls& controls, std::size_t latency)
+{
+    const auto& design = snapshot.designs[latency];
+
+    if (design == nullptr)
+        return {};
+
+    // Noises of different inputs add by their powers; three times their RMS cancels against the inputs'.
+    const Eigen::Map<const Eigen::ArrayXd> levels (controls.levels.data(), mostFingers);
+    const Eigen::VectorXd powers = design->noiseGains.array().square().matrix() * levels.square().matrix();
+    return std::sqrt (powers.maxCoeff());
+}
+
+juce::String latencyVoltsText (const TouchSnapshot& snapshot, const TouchControls& controls)
+{
+    juce::StringArray parts;
+
+    for (std::size_t i = 0; i < touchLatencies.size(); ++i)
+        if (const auto volts = noiseVolts (snapshot, controls, i))
+            parts.add (juce::String (juce::roundToInt (1000 * touchLatencies[i])) + " ms: "
+                       + (*volts < 10 ? juce::String (*volts, 1) : juce::String (juce::roundToInt (*volts))) + " V");
+
+    return parts.joinIntoString (",  ");
+}
 std::vector<UserMessage> touchSentences (TouchProcessor& processor, const TouchSnapshot& snapshot)
 {
     auto messages = processor.messages();

@@ -4,7 +4,6 @@
 
 #include <antinode_base/Prefixes.h>
 #include <antinode_charts/Lettering.h>
-#include <antinode_session/FocusSettings.h>
 
 #include <algorithm>
 #include <utility>
@@ -15,11 +14,6 @@ namespace
 {
 constexpr float smallestDisc = 11; // pixels: what can be hit
 constexpr float motionGap = 6, motionWidth = 104, motionHeight = 24, motionText = 13;
-
-float shareOf (float percent)
-{
-    return std::clamp (percent / 100, 0.0F, 1.0F);
-}
 
 void choose (IntegerParameter& parameter, int value)
 {
@@ -40,22 +34,20 @@ void addWords (juce::PopupMenu& menu, IntegerParameter& parameter)
 }
 } // namespace
 
-TouchSurface::TouchSurface (TouchProcessor& processorToShow) : processor (processorToShow)
+TouchSurface::TouchSurface (TouchProcessor& processorToShow)
+    : SurfaceView (
+        "Where the fingers are.",
+        "Drag the numbered fingers. Filled: plays its input. Ring: silent.\nDouble click: the next finger is "
+        "put down. Right click: state and kind of a finger.",
+        false),
+      processor (processorToShow)
 {
-    painter.setColourBar (false);
-    setTitle ("Surface");
-    setDescription ("Where the fingers are.");
-    setTooltip (
-        "Drag the numbered fingers. Filled: plays its input. Ring: silent.\nDouble click: the next finger is put "
-        "down. Right click: state and kind of a finger.");
 }
 
-void TouchSurface::setPicture (std::shared_ptr<const MotionPicture> newPicture)
+SurfaceView::Place TouchSurface::placeOf (std::size_t finger) const
 {
-    picture = std::move (newPicture);
-    painter.setPicture (picture->field);
-    drawn = {};
-    repaint();
+    const auto& parameters = processor.parameters().finger (finger);
+    return { parameters.x, parameters.y };
 }
 
 void TouchSurface::refresh (std::shared_ptr<const TouchSnapshot> now, std::size_t selectedNow)
@@ -71,19 +63,6 @@ void TouchSurface::refresh (std::shared_ptr<const TouchSnapshot> now, std::size_
     repaint();
 }
 
-void TouchSurface::lookAndFeelChanged()
-{
-    painter.setPalette (EditorLook::findPalette (*this));
-    drawn = {};
-    repaint();
-}
-
-void TouchSurface::resized()
-{
-    drawn = {};
-    repaint();
-}
-
 void TouchSurface::show (std::array<AskedMotion, mostFingers> motions)
 {
     const auto isSeen = [] (const auto& each) { return ! each.waveform.empty(); };
@@ -95,32 +74,20 @@ void TouchSurface::show (std::array<AskedMotion, mostFingers> motions)
         repaint();
 }
 
-juce::Point<float> TouchSurface::at (const FingerSettings& finger) const
-{
-    const auto [x, y] = placeFromPercent (picture->model->surface, static_cast<double> (finger.xPercent),
-                                          static_cast<double> (finger.yPercent));
-    return painter.frame().at (x * milli, painter.isLine() ? 0 : y * milli);
-}
-
-juce::Point<float> TouchSurface::finger (std::size_t index) const
-{
-    return picture != nullptr ? at (processor.parameters().settings().fingers[index]) : juce::Point<float>();
-}
-
 float TouchSurface::radiusOf (const FingerSettings& finger) const
 {
     if (finger.load == FingerLoad::none)
         return smallestDisc;
 
     const auto& kind = fingerKinds[static_cast<std::size_t> (finger.load) - 1];
-    return std::max (smallestDisc, painter.frame().xAt (kind.radius * milli) - painter.frame().xAt (0));
+    return std::max (smallestDisc, plot().xAt (kind.radius * milli) - plot().xAt (0));
 }
 
 std::optional<std::size_t> TouchSurface::fingerAt (juce::Point<float> place) const
 {
     const auto now = processor.parameters().settings();
 
-    for (std::size_t k = 0; picture != nullptr && k < now.fingers.size(); ++k)
+    for (std::size_t k = 0; isShown() && k < now.fingers.size(); ++k)
         if (const auto& each = now.fingers[k];
             each.presence != FingerPresence::absent && place.getDistanceFrom (at (each)) <= radiusOf (each))
             return k;
@@ -128,20 +95,8 @@ std::optional<std::size_t> TouchSurface::fingerAt (juce::Point<float> place) con
     return {};
 }
 
-void TouchSurface::paint (juce::Graphics& g)
+void TouchSurface::paintOnTop (juce::Graphics& g)
 {
-    const auto& palette = EditorLook::findPalette (*this);
-    g.fillAll (palette.panel);
-
-    if (picture == nullptr)
-    {
-        drawText (g, "Solving the device \xE2\x80\xA6", getLocalBounds().toFloat(), juce::Justification::centred,
-                  { 14, false, palette.mutedText });
-        return;
-    }
-
-    paintSurface (g);
-
     for (std::size_t k = 0; k < asked.size(); ++k)
         if (! asked[k].waveform.empty() && shown.fingers[k].presence != FingerPresence::absent)
             paintMotion (g, k);
@@ -150,25 +105,6 @@ void TouchSurface::paint (juce::Graphics& g)
     for (auto k = shown.fingers.size(); k-- > 0;)
         if (shown.fingers[k].presence != FingerPresence::absent)
             paintFinger (g, k);
-}
-
-/** Waveforms are drawn 30 times a second, the surface below them once. */
-void TouchSurface::paintSurface (juce::Graphics& g)
-{
-    const auto scale = g.getInternalContext().getPhysicalPixelScaleFactor();
-    const auto width = juce::roundToInt (static_cast<float> (getWidth()) * scale),
-               height = juce::roundToInt (static_cast<float> (getHeight()) * scale);
-
-    if (drawn.getWidth() != width || drawn.getHeight() != height)
-    {
-        drawn = juce::Image (juce::Image::ARGB, std::max (1, width), std::max (1, height), true);
-        juce::Graphics inner (drawn);
-        inner.addTransform (juce::AffineTransform::scale (scale));
-        painter.layOut (getLocalBounds(), scale);
-        painter.paint (inner, 0);
-    }
-
-    g.drawImage (drawn, getLocalBounds().toFloat());
 }
 
 /** Beside a disc: right, left, above or below, the first that is on the surface and covers no other finger. */
@@ -187,7 +123,7 @@ juce::Rectangle<float> TouchSurface::areaOfMotion (std::size_t index) const
                                                       && place.expanded (radiusOf (other)).contains (at (other)))
                 return false;
 
-        return painter.frame().plot.contains (place);
+        return plot().plot.contains (place);
     };
     const auto* const found = std::find_if (std::begin (places), std::end (places), isFree);
     return found != std::end (places) ? *found : places[disc.x > middle.getWidth() + away ? 1 : 0];
@@ -240,30 +176,18 @@ void TouchSurface::paintFinger (juce::Graphics& g, std::size_t index) const
               { 12, true, isPlaying ? palette.onStrong : palette.text });
 }
 
-void TouchSurface::moveTo (std::size_t index, juce::Point<float> place)
-{
-    const auto& plot = painter.frame().plot;
-    const auto& parameters = processor.parameters().finger (index);
-    parameters.x->setValueNotifyingHost (shareOf (100 * (place.x - plot.getX()) / plot.getWidth()));
-
-    if (! painter.isLine())
-        parameters.y->setValueNotifyingHost (shareOf (100 * (plot.getBottom() - place.y) / plot.getHeight()));
-
-    repaint();
-}
-
 std::optional<std::size_t> TouchSurface::putDown (juce::Point<float> place)
 {
     const auto now = processor.parameters().settings();
 
-    for (std::size_t k = 0; picture != nullptr && k < now.fingers.size(); ++k)
+    for (std::size_t k = 0; isShown() && k < now.fingers.size(); ++k)
         if (now.fingers[k].presence == FingerPresence::absent)
         {
-            const auto& parameters = processor.parameters().finger (k);
-            moveTo (k, place);
+            const auto [x, y] = percentAt (place);
+            move (placeOf (k), x, y);
             const auto presence =
                 static_cast<int> (k) < processor.inputs() ? FingerPresence::plays : FingerPresence::silent;
-            choose (*parameters.presence, static_cast<int> (presence));
+            choose (*processor.parameters().finger (k).presence, static_cast<int> (presence));
             return k;
         }
 
@@ -285,38 +209,18 @@ void TouchSurface::showMenu (std::size_t index)
 
 void TouchSurface::mouseDown (const juce::MouseEvent& event)
 {
-    dragged = fingerAt (event.position);
+    const auto finger = fingerAt (event.position);
 
-    if (! dragged)
+    if (! finger)
         return;
 
     if (onSelect)
-        onSelect (*dragged);
+        onSelect (*finger);
 
     if (event.mods.isPopupMenu())
-    {
-        showMenu (*std::exchange (dragged, std::nullopt));
-        return;
-    }
-
-    processor.parameters().finger (*dragged).x->beginChangeGesture();
-    processor.parameters().finger (*dragged).y->beginChangeGesture();
-}
-
-void TouchSurface::mouseDrag (const juce::MouseEvent& event)
-{
-    if (dragged)
-        moveTo (*dragged, event.position);
-}
-
-void TouchSurface::mouseUp (const juce::MouseEvent&)
-{
-    if (! dragged)
-        return;
-
-    processor.parameters().finger (*dragged).x->endChangeGesture();
-    processor.parameters().finger (*dragged).y->endChangeGesture();
-    dragged.reset();
+        showMenu (*finger);
+    else
+        grab (placeOf (*finger), event.position - this->finger (*finger));
 }
 
 void TouchSurface::mouseDoubleClick (const juce::MouseEvent& event)

@@ -1,10 +1,8 @@
 #pragma once
 
 #include "TouchProcessor.h"
-#include <Editor/SurfacePainter.h>
-#include <Plate/MotionView.h>
 
-#include <juce_gui_basics/juce_gui_basics.h>
+#include <Editor/SurfaceView.h>
 
 #include <array>
 #include <functional>
@@ -22,15 +20,13 @@ struct AskedMotion
     juce::String words;
 };
 
-/** The surface from above with its fingers: discs that can be dragged, filled where they play, rings where they are
+/** The surface with its fingers: discs that can be dragged, filled where they play, rings where they are
     silent; where the filters that play are for another place, a thin ring stands there. Beside each that plays stands
    what it is to feel. [message thread] */
-class TouchSurface final : public juce::Component, public juce::SettableTooltipClient
+class TouchSurface final : public SurfaceView
 {
 public:
     explicit TouchSurface (TouchProcessor&);
-
-    void setPicture (std::shared_ptr<const MotionPicture>);
 
     /** Draws what has changed. @param selected  the finger whose controls are shown */
     void refresh (std::shared_ptr<const TouchSnapshot>, std::size_t selected);
@@ -42,38 +38,29 @@ public:
     std::function<void (std::size_t)> onSelect;
 
     /** Where a finger is, in pixels of this component. */
-    juce::Point<float> finger (std::size_t index) const;
+    juce::Point<float> finger (std::size_t index) const { return pixels (placeOf (index)); }
 
     /** Puts the first absent finger down at a place in pixels. @return  which one, if there was one */
     std::optional<std::size_t> putDown (juce::Point<float>);
 
-    void paint (juce::Graphics&) override;
-    void resized() override;
-    void lookAndFeelChanged() override;
     void mouseDown (const juce::MouseEvent&) override;
-    void mouseDrag (const juce::MouseEvent&) override;
-    void mouseUp (const juce::MouseEvent&) override;
     void mouseDoubleClick (const juce::MouseEvent&) override;
 
 private:
-    juce::Point<float> at (const FingerSettings&) const;
+    Place placeOf (std::size_t finger) const;
+    juce::Point<float> at (const FingerSettings& finger) const { return pixels (finger.xPercent, finger.yPercent); }
     std::optional<std::size_t> fingerAt (juce::Point<float>) const;
     float radiusOf (const FingerSettings&) const;
-    void paintSurface (juce::Graphics&);
+    void paintOnTop (juce::Graphics&) override;
     void paintFinger (juce::Graphics&, std::size_t index) const;
     juce::Rectangle<float> areaOfMotion (std::size_t index) const;
     void paintMotion (juce::Graphics&, std::size_t index) const;
-    void moveTo (std::size_t index, juce::Point<float>);
     void showMenu (std::size_t index);
 
     TouchProcessor& processor;
-    std::shared_ptr<const MotionPicture> picture;
     std::shared_ptr<const TouchSnapshot> snapshot;
-    SurfacePainter painter;
-    juce::Image drawn; ///< The surface without fingers; none: it has to be drawn again.
     std::array<AskedMotion, mostFingers> asked;
     TouchSettings shown;
     std::size_t selected = 0;
-    std::optional<std::size_t> dragged;
 };
 } // namespace antinode

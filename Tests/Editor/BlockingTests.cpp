@@ -1,4 +1,4 @@
-#include <Editor/Editor.h>
+#include <Editor/EditorContent.h>
 #include <antinode_base/BackgroundThread.h>
 
 #include <Support/BlockingActions.h>

@@ -3,7 +3,7 @@
 #include <antinode_session/FollowingWords.h>
 #include <antinode_session/KnownDrift.h>
 
-#include <Editor/DriftChart.h>
+#include <Editor/DriftPanel.h>
 
 #include <catch2/catch.hpp>
 

@@ -6,7 +6,7 @@ using namespace antinode;
 
 namespace
 {
-void drag (SurfaceView& surface, juce::Point<float> from, juce::Point<float> to)
+void drag (FocusSurface& surface, juce::Point<float> from, juce::Point<float> to)
 {
     surface.mouseDown (mouseAt (surface, from, from));
     surface.mouseDrag (mouseAt (surface, (from + to) / 2, from));
@@ -14,7 +14,7 @@ void drag (SurfaceView& surface, juce::Point<float> from, juce::Point<float> to)
     surface.mouseUp (mouseAt (surface, to, from));
 }
 
-void choose (SurfaceView& surface, juce::Point<float> place, const juce::String& item)
+void choose (FocusSurface& surface, juce::Point<float> place, const juce::String& item)
 {
     const auto menu = surface.fingerMenu (place);
 

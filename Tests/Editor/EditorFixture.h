@@ -1,13 +1,12 @@
 #pragma once
 
-#include <Editor/Editor.h>
+#include <Editor/EditorContent.h>
 
 #include <Support/EditorTools.h>
 
-#include <chrono>
 #include <functional>
-#include <stdexcept>
-#include <thread>
+#include <memory>
+#include <string>
 
 namespace antinode
 {
@@ -29,19 +28,7 @@ public:
         waitUntil ([this] { return content().isSettled(); });
     }
 
-    void waitUntil (const std::function<bool()>& isReached)
-    {
-        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds (60);
-
-        do
-        {
-            if (std::chrono::steady_clock::now() > end)
-                throw std::runtime_error ("the editor does not come to rest");
-
-            std::this_thread::sleep_for (std::chrono::milliseconds (2));
-            content().refresh (0.002);
-        } while (! isReached());
-    }
+    void waitUntil (const std::function<bool()>& isReached) { test::refreshUntil (content(), isReached); }
 
     void playBlock()
     {
@@ -65,16 +52,6 @@ public:
     AntinodeProcessor processor;
     std::unique_ptr<Editor> editor;
 };
-
-/** A component and all that is visible in it. */
-inline void forEachVisible (juce::Component& component, const std::function<void (juce::Component&)>& look)
-{
-    look (component);
-
-    for (auto* const child : component.getChildren())
-        if (child->isVisible())
-            forEachVisible (*child, look);
-}
 
 using test::mouseAt;
 } // namespace antinode

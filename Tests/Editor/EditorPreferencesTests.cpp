@@ -2,7 +2,6 @@
 #include "Support/TemporaryFolder.h"
 
 #include <Editor/EditorPreferences.h>
-#include <Editor/InstallEditor.h>
 
 #include <catch2/catch.hpp>
 

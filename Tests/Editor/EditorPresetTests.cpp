@@ -78,9 +78,9 @@ TEST_CASE ("What was saved under another name is what is loaded from then on, wi
         browser.saveAs (name);
         test.settle();
         auto isShown = false;
-        forEachVisible (test.content(),
-                        [&isShown, title = title] (juce::Component& shown) // clang 14 captures no binding
-                        { isShown = isShown || shown.getTitle() == title; });
+        test::forEachShown (test.content(),
+                            [&isShown, title = title] (juce::Component& shown) // clang 14 captures no binding
+                            { isShown = isShown || shown.getTitle() == title; });
         CHECK (isShown);
     }
 

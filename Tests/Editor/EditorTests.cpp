@@ -1,7 +1,5 @@
 #include "EditorFixture.h"
 
-#include <Editor/InstallEditor.h>
-
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -11,21 +9,6 @@
 #include <set>
 
 using namespace antinode;
-
-namespace
-{
-/** How many colours there are, looking at every fourth pixel either way. */
-std::size_t coloursIn (const juce::Image& image)
-{
-    std::set<juce::uint32> colours;
-
-    for (int y = 0; y < image.getHeight(); y += 4)
-        for (int x = 0; x < image.getWidth(); x += 4)
-            colours.insert (image.getPixelAt (x, y).getARGB());
-
-    return colours.size();
-}
-} // namespace
 
 TEST_CASE ("The installed editor opens without a display and shows its first picture")
 {
@@ -39,20 +22,8 @@ TEST_CASE ("The installed editor opens without a display and shows its first pic
     std::printf ("editor: made in %.1f ms, first picture in %.1f ms\n", made - start, drawn - made);
     CHECK (editor->isResizable());
     CHECK (image.getWidth() == 1280);
-    CHECK (coloursIn (image) > 20);
+    CHECK (test::countColours (image) > 20);
     processor.editorBeingDeleted (editor.get());
-}
-
-TEST_CASE ("The editor is drawn at its least and at a large size, dark and light")
-{
-    EditorFixture test;
-
-    for (const auto isDark : { true, false })
-    {
-        test.content().setDark (isDark);
-        CHECK (coloursIn (test.snapshot (800, 500)) > 100);
-        CHECK (coloursIn (test.snapshot (2560, 1440)) > 100);
-    }
 }
 
 TEST_CASE ("Every parameter has a control that takes the keyboard, with a title and a tooltip")
@@ -76,25 +47,6 @@ TEST_CASE ("Every parameter has a control that takes the keyboard, with a title 
 
     for (const auto* const parameter : test.processor.parameters().all())
         CHECK (controlled.count (parameter->getParameterID()) == 1);
-}
-
-TEST_CASE ("All buttons of the editor have a title and a tooltip")
-{
-    EditorFixture test;
-    test.settle();
-    forEachVisible (*test.editor,
-                    [] (juce::Component& component)
-                    {
-                        auto* const button = dynamic_cast<juce::Button*> (&component);
-                        const auto isOurs = button != nullptr && button->getWantsKeyboardFocus();
-                        INFO (component.getName() << ' ' << component.getTitle());
-
-                        if (isOurs)
-                            CHECK (button->getTooltip().isNotEmpty());
-
-                        if (isOurs)
-                            CHECK ((button->getTitle() + button->getButtonText()).isNotEmpty());
-                    });
 }
 
 TEST_CASE ("The editor opens and closes while blocks are processed")

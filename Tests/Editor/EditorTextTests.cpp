@@ -36,7 +36,7 @@ void checkAllTexts (EditorFixture& test, int width, int height)
          { "Controls", "Spectrum", "Probe", "Voltages", "Methods", "Bank", "Scores", "Drift", "Settings" })
     {
         test.content().showPanel (panel);
-        forEachVisible (test.content(), checkText);
+        test::forEachShown (test.content(), checkText);
     }
 }
 } // namespace
@@ -62,7 +62,7 @@ TEST_CASE ("All words that a parameter can have fit into its control")
         {
             parameter->setValueNotifyingHost (share);
             test.content().refresh (0);
-            forEachVisible (test.content().parameterPanel(), checkText);
+            test::forEachShown (test.content().parameterPanel(), checkText);
         }
 }
 
@@ -74,7 +74,7 @@ TEST_CASE ("The browser's texts fit")
     {
         test.snapshot (width, width * 5 / 8);
         test.content().browse (LibraryKind::device);
-        forEachVisible (test.content().presetPanel(), checkText);
+        test::forEachShown (test.content().presetPanel(), checkText);
         test.content().browse (std::nullopt);
     }
 }

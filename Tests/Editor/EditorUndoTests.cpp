@@ -9,7 +9,7 @@ namespace
 const juce::KeyPress undoKeys ('z', juce::ModifierKeys::commandModifier, 0);
 const juce::KeyPress redoKeys ('z', juce::ModifierKeys::commandModifier | juce::ModifierKeys::shiftModifier, 0);
 
-void dragBy (SurfaceView& surface, juce::Point<float> from, juce::Point<float> by)
+void dragBy (FocusSurface& surface, juce::Point<float> from, juce::Point<float> by)
 {
     constexpr int steps = 20;
     surface.mouseDown (mouseAt (surface, from, from));

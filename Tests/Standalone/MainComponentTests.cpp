@@ -1,5 +1,6 @@
 #include <Standalone/MainComponent.h>
 
+#include "Support/EditorTools.h"
 #include "Support/TemporaryFolder.h"
 
 #include <antinode_base/InputError.h>
@@ -11,21 +12,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 using namespace antinode;
+using test::forEachShown;
 
 namespace
 {
-void forEachShown (juce::Component& component, const std::function<void (juce::Component&)>& look)
-{
-    look (component);
-
-    for (auto* const child : component.getChildren())
-        if (child->isVisible())
-            forEachShown (*child, look);
-}
-
 /** The whole of what may be clicked lies in the window, or in a list that can be scrolled. */
 void checkReachable (MainComponent& window)
 {

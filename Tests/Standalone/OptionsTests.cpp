@@ -1,5 +1,5 @@
 #include <Standalone/ApplyOptions.h>
-#include <Standalone/FollowingOption.h>
+#include <Standalone/OptionValues.h>
 #include <Standalone/Standalone.h>
 
 #include "Support/ErrorText.h"

@@ -1,4 +1,4 @@
-#include <Standalone/FollowingOption.h>
+#include <Standalone/OptionValues.h>
 #include <Standalone/StandaloneHost.h>
 
 #include "Support/BlockingActions.h"

@@ -1,5 +1,5 @@
-#include <Standalone/FollowingOption.h>
 #include <Standalone/MainComponent.h>
+#include <Standalone/OptionValues.h>
 #include <Standalone/TouchHost.h>
 
 #include "Support/TemporaryFolder.h"

@@ -1,4 +1,4 @@
-#include <Standalone/TriggerLatency.h>
+#include <Standalone/StandaloneHost.h>
 
 #include <catch2/catch.hpp>
 

@@ -52,6 +52,16 @@ inline juce::MouseEvent mouseAt (juce::Component& component, juce::Point<float> 
     return mouseAt (component, place, place);
 }
 
+/** A component and all that is visible in it. */
+inline void forEachShown (juce::Component& component, const std::function<void (juce::Component&)>& look)
+{
+    look (component);
+
+    for (auto* const child : component.getChildren())
+        if (child->isVisible())
+            forEachShown (*child, look);
+}
+
 /** How many colours a picture has: nothing drawn has few. */
 inline int countColours (const juce::Image& image)
 {

@@ -1,5 +1,4 @@
-#include <Editor/Editor.h>
-#include <Editor/InstallEditor.h>
+#include <Editor/EditorContent.h>
 #include <Support/AudioThreadGuards.h>
 
 #include <atomic>

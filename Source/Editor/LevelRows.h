@@ -1,11 +1,17 @@
 #pragma once
 
+#include <antinode_model/ModalModel.h>
+#include <antinode_session/LevelMeters.h>
+
 #include <juce_gui_basics/juce_gui_basics.h>
 
 #include <vector>
 
 namespace antinode
 {
+/** How much of a bar a level fills, 0 to 1. @param lowest  dB from a full bar to an empty one, below 0 [any] */
+double levelShare (double value, double full, double lowest);
+
 /** Levels side by side or one below the other: each with a name, a bar that falls slowly, and the largest value of
     late. [message thread] */
 class LevelRows final : public juce::Component
@@ -27,6 +33,9 @@ public:
 
     /** Levels and held values begin again: they were another device's. */
     void forget() { levels.assign (rows.size(), {}); }
+
+    /** The ceramics of a device, and their largest voltages since the last call. @param model  none: no rows */
+    void showVoltages (const ModalModel*, LevelMeters&, double seconds);
 
     /** @param values   one a row: the largest magnitudes since the last call
         @param seconds  since the last call */

@@ -13,7 +13,7 @@ namespace
 {
 constexpr auto interval = std::chrono::milliseconds (15); // between looks at the capture
 
-/** A line: only the field is drawn, the painter's other curves are empty. */
+/** A line: only the field is drawn, the other curves are empty. */
 LineChart lineChart (const ModalModel& model, const FieldFrames& frames)
 {
     LineChart chart;
@@ -33,20 +33,9 @@ LineChart lineChart (const ModalModel& model, const FieldFrames& frames)
 
 HeatMap plateMap (const ModalModel& model, const FieldFrames& frames)
 {
-    // The painter leaves the first place out: the instrument's spot, which is not here.
-    auto map = plateFieldChart (model, frames.focusField, "velocity", { Target {} });
+    auto map = plateFieldChart (model, frames.focusField, "velocity", {});
     map.contours = {};
     return map;
-}
-
-std::shared_ptr<const DesignPicture> makePicture (const std::shared_ptr<const ModalModel>& model, FieldFrames frames)
-{
-    auto made = std::make_shared<DesignPicture>();
-    made->question.model = model;
-    made->field = model->surface.kind == SurfaceKind::line ? std::make_shared<const Chart> (lineChart (*model, frames))
-                                                           : std::make_shared<const Chart> (plateMap (*model, frames));
-    made->frames = std::make_shared<const FieldFrames> (std::move (frames));
-    return made;
 }
 
 BarChart amplitudeChart (const Eigen::VectorXd& largest)
@@ -63,7 +52,7 @@ BarChart amplitudeChart (const Eigen::VectorXd& largest)
 }
 } // namespace
 
-void MotionView::stop()
+void MotionView::leave()
 {
     const std::lock_guard lock (mutex);
     isStopping = true;
@@ -130,36 +119,30 @@ void MotionView::step()
         return;
 
     if (before == nullptr || before->model != now->model)
-        showRest (now->model);
+        show (now->model, stillFrames (*now->model), Eigen::VectorXd::Zero (now->model->modes()), 0);
 
     Eigen::MatrixXd window;
 
     // A path of the device before may still be in the snapshot for a moment.
     if (isWanted && now->motion != nullptr && now->motion->take (window) && window.rows() == now->model->coordinates())
-        show (*now, window);
+        show (now->model, makeFrames (*now->model, window),
+              window.topRows (now->model->modes()).cwiseAbs().rowwise().maxCoeff(), now->captureStep);
 }
 
-void MotionView::showRest (const std::shared_ptr<const ModalModel>& model)
+/** @param step  0: the surface is at rest, and the next window is waited for */
+void MotionView::show (std::shared_ptr<const ModalModel> model, FieldFrames frames, const Eigen::VectorXd& largest,
+                       double step)
 {
     auto made = std::make_shared<MotionPicture>();
-    made->model = model;
-    made->field = makePicture (model, stillFrames (*model));
-    made->spectrum = std::make_shared<const Chart> (amplitudeChart (Eigen::VectorXd::Zero (model->modes())));
-    const std::lock_guard lock (mutex);
-    newest = std::move (made);
-    wantsNext = true;
-}
-
-void MotionView::show (const PlateSnapshot& snapshot, const Eigen::MatrixXd& window)
-{
-    auto made = std::make_shared<MotionPicture>();
-    made->model = snapshot.model;
-    made->field = makePicture (snapshot.model, makeFrames (*snapshot.model, window));
-    const Eigen::VectorXd largest = window.topRows (snapshot.model->modes()).cwiseAbs().rowwise().maxCoeff();
+    made->field =
+        std::make_shared<const Chart> (model->surface.kind == SurfaceKind::line ? Chart (lineChart (*model, frames))
+                                                                                : Chart (plateMap (*model, frames)));
+    made->model = std::move (model);
+    made->frames = std::make_shared<const FieldFrames> (std::move (frames));
     made->spectrum = std::make_shared<const Chart> (amplitudeChart (largest));
-    made->step = snapshot.captureStep;
+    made->step = step;
     const std::lock_guard lock (mutex);
     newest = std::move (made);
-    wantsNext = false;
+    wantsNext = step == 0;
 }
 } // namespace antinode

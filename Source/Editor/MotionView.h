@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Editor/DesignPicture.h>
+#include "SurfacePainter.h"
 
 #include <antinode_session/PlateSession.h>
 
@@ -11,12 +11,9 @@
 
 namespace antinode
 {
-/** A captured window of a surface's motion, ready to be drawn. Never changed once it is given. */
-struct MotionPicture
+/** A captured window of a surface's motion: PlatePath::capturedFrames frames, or one at rest. Immutable. */
+struct MotionPicture : SurfacePicture
 {
-    std::shared_ptr<const ModalModel> model;
-    std::shared_ptr<const DesignPicture>
-        field; ///< As SurfacePainter takes it: PlatePath::capturedFrames frames, or one at rest.
     std::shared_ptr<const Chart> spectrum; ///< The largest velocity of every mode in the window.
     double step = 0;                       ///< s from one frame to the next; 0 where nothing has moved yet.
 };
@@ -29,7 +26,7 @@ public:
     void run();
 
     /** Returns at once. [message thread, as all below] */
-    void stop();
+    void leave();
 
     /** What is looked at from now on. A new device is shown at rest at once. */
     void watch (std::shared_ptr<const PlateSnapshot>);
@@ -43,8 +40,7 @@ public:
 private:
     bool isStoppedWithin (std::chrono::milliseconds);
     void step();
-    void show (const PlateSnapshot&, const Eigen::MatrixXd& window);
-    void showRest (const std::shared_ptr<const ModalModel>&);
+    void show (std::shared_ptr<const ModalModel>, FieldFrames, const Eigen::VectorXd& largest, double step);
 
     mutable std::mutex mutex; ///< For the next lines.
     std::condition_variable changed;

@@ -1,6 +1,6 @@
 #include "LevelRows.h"
 
-#include <Editor/EditorLook.h>
+#include "EditorLook.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,14 +12,14 @@ namespace
 {
 constexpr double lowestLevel = -60; // dB below a full bar
 constexpr double fallPerSecond = 0.8, holdSeconds = 3;
-constexpr int rowHeight = 22, titleHeight = 24, margin = 8;
+constexpr int rowHeight = 22, titleHeight = 24, levelMargin = 8;
 constexpr float columnGap = 20; // A value must not be read with the number of the row beside it.
-
-double clampedShare (double value, double full)
-{
-    return value > 0 && full > 0 ? std::clamp (1 - 20 * std::log10 (value / full) / lowestLevel, 0.0, 1.0) : 0.0;
-}
 } // namespace
+
+double levelShare (double value, double full, double lowest)
+{
+    return value > 0 && full > 0 ? std::clamp (1 - 20 * std::log10 (value / full) / lowest, 0.0, 1.0) : 0.0;
+}
 
 LevelRows::LevelRows (const juce::String& title, const juce::String& unitToShow, int decimalsToShow)
     : unit (unitToShow), decimals (decimalsToShow)
@@ -40,7 +40,8 @@ void LevelRows::refresh (const std::vector<double>& values, double seconds)
     for (std::size_t i = 0; i < std::min (values.size(), rows.size()); ++i)
     {
         auto& level = levels[i];
-        level.share = std::max (clampedShare (values[i], rows[i].full), level.share - fallPerSecond * seconds);
+        level.share =
+            std::max (levelShare (values[i], rows[i].full, lowestLevel), level.share - fallPerSecond * seconds);
         level.heldFor -= seconds;
 
         if (values[i] >= level.held || level.heldFor < 0)
@@ -53,11 +54,27 @@ void LevelRows::refresh (const std::vector<double>& values, double seconds)
     repaint();
 }
 
+void LevelRows::showVoltages (const ModalModel* model, LevelMeters& meters, double seconds)
+{
+    std::vector<Row> ceramics;
+    std::vector<double> volts;
+
+    // All are taken: what one device has played is not the next one's.
+    for (int i = 0; i < LevelMeters::ceramics; ++i)
+        volts.push_back (static_cast<double> (meters.takePeak (i)));
+
+    for (std::size_t i = 0; model != nullptr && i < model->ceramics.size(); ++i)
+        ceramics.push_back ({ juce::String (i + 1), {}, voltageLimit (*model, i) });
+
+    setRows (std::move (ceramics));
+    refresh (volts, seconds);
+}
+
 void LevelRows::paint (juce::Graphics& g)
 {
     const auto& palette = EditorLook::findPalette (*this);
     g.fillAll (palette.panel);
-    auto area = getLocalBounds().toFloat().reduced (margin, 2);
+    auto area = getLocalBounds().toFloat().reduced (levelMargin, 2);
     g.setColour (palette.mutedText);
     g.setFont (EditorLook::font (EditorLook::smallTextHeight));
     g.drawText (getTitle(), area.removeFromTop (titleHeight), juce::Justification::centredLeft);

@@ -1,7 +1,0 @@
-#pragma once
-
-namespace antinode
-{
-/** Gives every processor of this program its editor, as dark or light as the last one was left. [message thread] */
-void installEditor();
-} // namespace antinode
