@@ -4,7 +4,9 @@
 #include "Documents.h"
 #include "SessionOwner.h"
 
+#include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
+#include <antinode_library/Library.h>
 #include <antinode_model/ModalModel.h>
 
 #include <atomic>
@@ -59,6 +61,28 @@ public:
         settled.wait (lock, [&] { return roundsDone >= round; });
     }
 
+    /** Works until it is stopped; then no path is left. Nothing may be processing by then. [session's thread] */
+    void run()
+    {
+        const WatchScope scope ([this] { return ! isStopping; });
+
+        try
+        {
+            for (std::uint64_t round = 0; awaitRound (round);)
+            {
+                work();
+                finish (round);
+                rest();
+            }
+        }
+        catch (const Cancelled&)
+        {
+            // It is stopping.
+        }
+
+        clear();
+    }
+
     /** [any but the audio thread] */
     std::shared_ptr<const Snapshot> snapshot() const
     {
@@ -110,6 +134,15 @@ protected:
         return wantedFormat;
     }
 
+    /** One round: takes up what was asked for. */
+    virtual void work() = 0;
+
+    /** Behind a round, when nobody waits for it any more. */
+    virtual void rest() {}
+
+    /** Frees all that plays. */
+    virtual void clear() = 0;
+
     /** @return  false at the end */
     bool awaitRound (std::uint64_t& round)
     {
@@ -148,10 +181,9 @@ protected:
     }
 
     /** A newer device ends this one's solving; the next round takes it.
-        @param makeModel  gives the model of a document
-        @param then       called before it is said to be solved */
-    template <typename MakeModel, typename Then>
-    void solve (const MakeModel& makeModel, const Then& then)
+        @param then  called before it is said to be solved */
+    template <typename Then>
+    void solve (const Then& then)
     {
         present.isSolving = true;
         publish();
@@ -159,7 +191,12 @@ protected:
         try
         {
             const WatchScope scope ([this] { return ! hasOtherDocument(); });
-            auto made = makeModel (*present.device);
+            auto made = std::make_shared<const ModalModel> (solvedModel (present.device->description));
+
+            if (made->actuators() == 0)
+                throw InputError ("device '" + present.device->description.name + "'",
+                                  "has no ceramics, so nothing can move it");
+
             auto volts = askedAmplifiers();
             present.model = withAmplifiers (made, volts);
             solved = std::move (made);
@@ -217,6 +254,9 @@ protected:
         }
         owner.tell();
     }
+
+    /** @throws InputError  where it cannot be played */
+    virtual ModalModel solvedModel (const DeviceDescription& device) const { return solveDevice (device, {}, true); }
 
     /** Whether more is asked for than rounds have. Under the lock. */
     virtual bool isMoreAsked() const { return false; }

@@ -68,7 +68,7 @@ void PlatePath::process (const AudioBlock<Sample>& block, const SurfaceControls&
 
                             captureMotion (count);
                         });
-    meters.noteState (limiters().front()->limiter().isMuted(), 0);
+    meters.noteState (static_cast<LimiterNode&> (graph.node (limiter)).limiter().isMuted(), 0);
 }
 
 template <typename Sample>

@@ -60,11 +60,9 @@ public:
     /** The latency and 60 dB of the slowest mode's decay, s. [any] */
     double tailSeconds() const { return tail; }
 
-    /** Works until it is stopped; then no path is left. Nothing may be processing by then. [session's thread] */
-    void run();
-
 private:
-    void step();
+    void work() override;
+    void clear() override { paths.clear(); }
     void buildPath (double sampleRate);
     void moveProbes();
     Eigen::MatrixXd probeShapes() const;

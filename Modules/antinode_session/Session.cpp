@@ -10,10 +10,11 @@ namespace antinode
 {
 Session::Session (DeviceDocument device, FocusDocument focusToPlay, std::function<PlaySettings()> readSettings,
                   std::function<void()> onChange, TakeFocus takeFocusToCall)
-    : DeviceRounds (std::move (device), std::move (readSettings), std::move (onChange)),
+    : InstrumentSession (std::move (device), std::move (readSettings), std::move (onChange)),
       takeFocus (std::move (takeFocusToCall)), newest (std::make_shared<const FocusDocument> (std::move (focusToPlay)))
 {
     asked.focus = newest;
+    entry.setNotes (NoteMeaning::spread);
 }
 
 void Session::load (std::shared_ptr<const DeviceDocument> device, std::shared_ptr<const FocusDocument> wanted)
@@ -47,25 +48,6 @@ void Session::prepare (double sampleRate)
     // At once, although the path may come later: hosts ask for it now.
     latency = estimateLatency (newestFocus()->description, owner.settings ({}), sampleRate);
     ask (sampleRate);
-}
-
-void Session::await (std::optional<std::vector<int>> places)
-{
-    const std::lock_guard lock (mutex);
-    awaited = std::move (places);
-}
-
-void Session::waitUntilSettled (std::span<const FocusEvent> events)
-{
-    std::vector places { FocusBank::livePlace };
-
-    for (const auto& event : events)
-        if (event.kind == FocusEventKind::trigger)
-            places.push_back (entry.eventPlace (event));
-
-    await (std::move (places));
-    DeviceRounds::waitUntilSettled();
-    await ({});
 }
 
 void Session::insertNodes (InsertNodes insert)

@@ -75,7 +75,7 @@ FociUnderFingers TouchFoci::underFingers() const
     return fociUnderFingers;
 }
 
-void TouchFoci::serve (TouchPath& path, const FociSurface& surface, bool isPathNew, const Watch& goesOn)
+void TouchFoci::serve (InstrumentPath& path, const FociSurface& surface, bool isPathNew, const Watch& goesOn)
 {
     if (const auto now = focus(); served != now || isPathNew)
     {
@@ -96,7 +96,7 @@ void TouchFoci::serve (TouchPath& path, const FociSurface& surface, bool isPathN
 }
 
 /** Another focus, or another path: at first without the session's fingers, which shall not keep it waiting. */
-void TouchFoci::begin (TouchPath& path, const FociSurface& surface)
+void TouchFoci::begin (InstrumentPath& path, const FociSurface& surface)
 {
     error.clear();
     meaning = NoteMeaning::nothing;
@@ -116,7 +116,7 @@ void TouchFoci::begin (TouchPath& path, const FociSurface& surface)
 }
 
 /** A bank that is there plays on while fingers move; a part of one is better than none. */
-void TouchFoci::update (TouchPath& path, const FociSurface& surface, const Watch& goesOn)
+void TouchFoci::update (InstrumentPath& path, const FociSurface& surface, const Watch& goesOn)
 {
     const auto isDone = path.foci().progress().isDone();
     isWhole = isWhole || (isDone && designedFor);
@@ -151,7 +151,7 @@ void TouchFoci::update (TouchPath& path, const FociSurface& surface, const Watch
     }
 }
 
-void TouchFoci::request (TouchPath& path, const FociSurface& surface, const std::vector<Finger>& fingers,
+void TouchFoci::request (InstrumentPath& path, const FociSurface& surface, const std::vector<Finger>& fingers,
                          const Watch& goesOn)
 {
     if (solvedDevice != surface.device)

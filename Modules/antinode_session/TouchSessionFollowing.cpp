@@ -53,12 +53,8 @@ void TouchSession::makeDesigner()
 /** Notes that somebody waits for are designed for the fingers as they are, others where fingers rest. */
 void TouchSession::serveFoci()
 {
-    auto areNotesAwaited = false;
-    {
-        const std::lock_guard lock (mutex);
-        areNotesAwaited = awaitedNotes && awaitedNotes->size() > 1;
-    }
-
+    const auto notes = awaited();
+    const auto areNotesAwaited = notes && notes->size() > 1;
     const auto& places = areNotesAwaited ? settings : movement.rest();
     const FociSurface surface { playedDevice,
                                 amplifiers,
@@ -68,24 +64,6 @@ void TouchSession::serveFoci()
                                 deviceFollowing.shift() };
     foci.serve (*path, surface, std::exchange (isPathNew, false),
                 [this, areNotesAwaited] { return areNotesAwaited || owner.settings (settings) == settings; });
-}
-
-/** Only who renders offline waits for foci: filters have to come soon. */
-void TouchSession::waitForFoci()
-{
-    std::optional<std::vector<int>> awaited;
-    {
-        const std::lock_guard lock (mutex);
-        awaited = awaitedNotes;
-    }
-
-    if (! awaited || path == nullptr || foci.notes() == NoteMeaning::nothing)
-        return;
-
-    for (auto& note : *awaited)
-        note = bankPlaceOf (note, foci.notes() == NoteMeaning::spotOnly);
-
-    path->foci().waitFor (*awaited);
-    serveFoci();
+    entry.setNotes (foci.notes());
 }
 } // namespace antinode

@@ -6,7 +6,7 @@
 
 namespace antinode
 {
-std::optional<double> noiseVolts (const TouchSnapshot& snapshot, const TouchControls& controls, std::size_t latency)
+std::optional<double> noiseVolts (const TouchSnapshot& snapshot, const PlayControls& controls, std::size_t latency)
 {
     const auto& design = snapshot.designs[latency];
 
@@ -19,7 +19,7 @@ std::optional<double> noiseVolts (const TouchSnapshot& snapshot, const TouchCont
     return std::sqrt (powers.maxCoeff());
 }
 
-juce::String latencyVoltsText (const TouchSnapshot& snapshot, const TouchControls& controls)
+juce::String latencyVoltsText (const TouchSnapshot& snapshot, const PlayControls& controls)
 {
     juce::StringArray parts;
 

@@ -206,7 +206,7 @@ TEST_CASE ("A device that cannot be solved leaves the old one playing, and says 
     json["ceramics"] = nlohmann::json::array();
     played.session.load (std::make_shared<const DeviceDocument> (readDeviceDocument (json, "beam")), nullptr);
     played.session.waitUntilSettled();
-    CHECK (played.session.snapshot()->error == "device 'beam': has no ceramics; nothing can be played");
+    CHECK (played.session.snapshot()->error == "device 'beam': has no ceramics, so nothing can move it");
     played.play (9600);
     CHECK (played.play (2400, { spotPlayed }).topRows (8).isApprox (before.topRows (8)));
 }
