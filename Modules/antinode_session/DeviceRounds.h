@@ -6,6 +6,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
+#include <antinode_engine/FocusEvent.h>
 #include <antinode_library/Library.h>
 #include <antinode_model/ModalModel.h>
 
@@ -17,6 +18,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -26,11 +28,23 @@ namespace antinode
     taken up, and a snapshot. Requests and answers are under a lock; the session's thread works in rounds.
     @tparam Snapshot  has device, model, isSolving and error
     @tparam Settings  what parameters say
-    @tparam Format    what a host plays; all zero before the first preparation */
-template <typename Snapshot, typename Settings, typename Format>
+    @tparam PlayedFormat  what a host plays; all zero before the first preparation */
+template <typename Snapshot, typename Settings, typename PlayedFormat>
 class DeviceRounds
 {
 public:
+    using Format = PlayedFormat;
+
+    /** @param readSettings  gives what the parameters say
+        @param onChange      called after the snapshot has changed. Both are called on the session's thread and must not
+                             block */
+    DeviceRounds (DeviceDocument device, std::function<Settings()> readSettings, std::function<void()> onChange)
+        : owner (std::move (readSettings), std::move (onChange)),
+          nextDevice (std::make_shared<const DeviceDocument> (std::move (device))),
+          published (std::make_shared<const Snapshot>())
+    {
+    }
+
     virtual ~DeviceRounds() = default;
     DeviceRounds (const DeviceRounds&) = delete;
     DeviceRounds& operator= (const DeviceRounds&) = delete;
@@ -52,8 +66,9 @@ public:
         wantedAmplifiers = std::move (volts);
     }
 
-    /** Waits until all that was asked for is taken up. [any but a real-time audio thread] */
-    void waitUntilSettled()
+    /** Waits until all that was asked for is taken up. @param notes  that a session of instruments waits for, too [any
+        but a real-time audio thread] */
+    void waitUntilSettled ([[maybe_unused]] std::span<const FocusEvent> notes = {})
     {
         std::unique_lock lock (mutex);
         const auto round = ++roundsRequested;
@@ -105,16 +120,6 @@ public:
 protected:
     static constexpr auto interval = std::chrono::milliseconds (4);  ///< Between looks at the parameters.
     static constexpr auto patience = std::chrono::milliseconds (40); ///< Of a host that prepares us.
-
-    /** @param readSettings  gives what the parameters say
-        @param onChange      called after the snapshot has changed. Both are called on the session's thread and must not
-                             block */
-    DeviceRounds (DeviceDocument device, std::function<Settings()> readSettings, std::function<void()> onChange)
-        : owner (std::move (readSettings), std::move (onChange)),
-          nextDevice (std::make_shared<const DeviceDocument> (std::move (device))),
-          published (std::make_shared<const Snapshot>())
-    {
-    }
 
     /** Asks for a format, and waits a moment for it. [worker] */
     void ask (const Format& format, std::chrono::milliseconds longest = patience)

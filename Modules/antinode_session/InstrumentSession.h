@@ -23,6 +23,8 @@ class InstrumentSession : public DeviceRounds<Snapshot, Settings, Format>
     using Rounds = DeviceRounds<Snapshot, Settings, Format>;
 
 public:
+    using Rounds::Rounds;
+
     /** Plays a block, or silence while there is no path. [audio thread] allocates nothing, locks nothing */
     template <typename Sample>
     void process (const AudioBlock<Sample>& block, const PlayControls& controls)
@@ -64,8 +66,6 @@ public:
     double fullScaleVolts() const { return entry.fullScaleVolts(); }
 
 protected:
-    using Rounds::Rounds;
-
     void clear() override
     {
         deviceFollowing.stop();

@@ -50,7 +50,7 @@ void PlatePath::process (const AudioBlock<Sample>& block, const SurfaceControls&
                          LevelMeters& meters)
 {
     static_cast<InputNode&> (graph.node (input)).give (block.inputs, modes->fullScaleVoltage);
-    setArmed (controls.isPlaying);
+    setArmed (controls.isArmed);
     gain = controls.gain;
 
     if (isLeaving && ! std::exchange (isRamping, true))

@@ -7,12 +7,6 @@
 
 namespace antinode
 {
-PlateSession::PlateSession (DeviceDocument device, std::function<SurfaceSettings()> readSettings,
-                            std::function<void()> onChange)
-    : DeviceRounds (std::move (device), std::move (readSettings), std::move (onChange))
-{
-}
-
 void PlateSession::prepare (double sampleRate)
 {
     preparedRate = sampleRate;

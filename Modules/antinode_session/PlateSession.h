@@ -41,8 +41,7 @@ struct PlateSnapshot
 class PlateSession : public DeviceRounds<PlateSnapshot, SurfaceSettings, double>
 {
 public:
-    /** Starts with solving. @param readSettings, onChange  as DeviceRounds [worker] */
-    PlateSession (DeviceDocument, std::function<SurfaceSettings()> readSettings, std::function<void()> onChange);
+    using DeviceRounds::DeviceRounds;
 
     /** Brings the surface to rest, and asks for the path of a sample rate. Waits for it, but only a moment. Nothing
         may be processing. [worker] */

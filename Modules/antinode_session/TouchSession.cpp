@@ -45,10 +45,10 @@ TouchSession::TouchSession (DeviceDocument device, std::function<TouchSettings()
 {
 }
 
-void TouchSession::prepare (double sampleRate, int inputs)
+void TouchSession::prepare (const TouchFormat& wanted)
 {
-    entry.prepare (sampleRate);
-    ask ({ sampleRate, inputs });
+    entry.prepare (wanted.sampleRate);
+    ask (wanted);
 }
 
 std::int64_t TouchSession::latencySamples (std::size_t latency) const

@@ -43,7 +43,7 @@ struct TouchSnapshot
 struct TouchFormat
 {
     double sampleRate = 0; ///< Hz; 0 before the first preparation.
-    int inputs = 0;
+    int inputs = 0;        ///< 1 to mostFingers.
 
     bool operator== (const TouchFormat&) const = default;
 };
@@ -59,8 +59,8 @@ public:
     TouchSession (DeviceDocument, std::function<TouchSettings()> readSettings, std::function<void()> onChange);
 
     /** Forgets what has come in, and asks for the path of a sample rate. Waits for it, but only a moment. Nothing may
-       be processing. @param inputs  1 to mostFingers [worker] */
-    void prepare (double sampleRate, int inputs);
+       be processing. [worker] */
+    void prepare (const TouchFormat&);
 
     /** What notes play on top of the tracks, TouchFoci; none: nothing. Returns at once. [any but the audio thread] */
     void loadFocus (std::shared_ptr<const FocusDocument> focus) { foci.load (std::move (focus)); }
