@@ -29,7 +29,7 @@ std::span<const FocusEvent> AudioEntry::gather (std::span<const FocusEvent> even
     for (const auto& event : events.first (std::min (events.size(), EventDelay::mostPerBlock)))
         if (isStop (event))
         {
-            playedStop = stopCount.stopByNote(); // Touches that are being designed were asked for before it.
+            playedStop = stopCount.stopByNote(); // Foci that are being designed were fired before it.
             all[count++] = event;
         }
         else if (playedNotes != NoteMeaning::nothing)

@@ -48,7 +48,7 @@ public:
         await ({});
     }
 
-    /** Fades all foci out with the next block, and voids what was asked for before and waits: touches, their designs,
+    /** Fades all foci out with the next block, and voids what was fired before and waits: foci, their designs,
         triggers, notes. Inputs play on. [any] */
     void stopAll() { stops().stop(); }
 

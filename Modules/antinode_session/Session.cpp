@@ -76,29 +76,29 @@ void Session::fire (double amplitude)
     entry.fire (FocusBank::livePlace, amplitude, stops().now());
 }
 
-Session::TouchResult Session::fireAt (double x, double y, double amplitude)
+Session::FireResult Session::fireAt (double x, double y, double amplitude)
 {
     const auto askedAt = stops().now();
     const auto now = snapshot();
 
     if (now->model == nullptr)
-        return TouchResult::notAccepted;
+        return FireResult::notAccepted;
 
     const auto& surface = now->model->surface;
 
     if (! liesOn (surface, x, y))
-        return TouchResult::outsideSurface;
+        return FireResult::outsideSurface;
 
     // Those from before the last stop wait no longer.
     const std::lock_guard lock (mutex);
-    std::erase_if (asked.touches, [askedAt] (const auto& earlier) { return earlier.askedAt < askedAt; });
+    std::erase_if (asked.fired, [askedAt] (const auto& earlier) { return earlier.askedAt < askedAt; });
 
-    if (asked.touches.size() >= FocusBank::touchPlaces)
-        return TouchResult::notAccepted;
+    if (asked.fired.size() >= FocusBank::touchPlaces)
+        return FireResult::notAccepted;
 
-    asked.touches.push_back ({ x, surface.kind == SurfaceKind::line ? 0.0 : y, amplitude, askedAt });
+    asked.fired.push_back ({ x, surface.kind == SurfaceKind::line ? 0.0 : y, amplitude, askedAt });
     wake.notify_all();
-    return TouchResult::taken;
+    return FireResult::taken;
 }
 
 DesignProgress Session::progress() const

@@ -69,7 +69,7 @@ public:
     void fire (double amplitude);
 
     /** The outcome of firing a focus at another position. */
-    enum class TouchResult
+    enum class FireResult
     {
         taken,
         outsideSurface,
@@ -77,7 +77,7 @@ public:
     };
 
     /** Designs and fires a focus at another position. @param x, y  m [any but the audio thread] */
-    TouchResult fireAt (double x, double y, double amplitude);
+    FireResult fireAt (double x, double y, double amplitude);
 
     /** The progress of the designs. [any but the audio thread] */
     DesignProgress progress() const;
@@ -93,7 +93,7 @@ public:
 
 private:
     /** A focus that is to be fired at another position: m, and its amplitude from 0 to 1. */
-    struct Touch
+    struct FiredFocus
     {
         double x = 0, y = 0, amplitude = 1;
         std::uint64_t askedAt = 0; ///< StopCount::now() then.
@@ -108,10 +108,10 @@ private:
         InsertNodes insert;                         ///< Of the open graph.
         bool isInsertionNew = false, isOrderNew = false;
         std::vector<int> firstNotes { spotNote }; ///< Are designed before the others.
-        std::vector<Touch> touches;
+        std::vector<FiredFocus> fired;
     };
 
-    bool isMoreAsked() const override { return asked.focus != nullptr || ! asked.touches.empty(); }
+    bool isMoreAsked() const override { return asked.focus != nullptr || ! asked.fired.empty(); }
     bool isPlayable() const override { return designs.designed > 0 || designs.wanted == 0; }
     void endSolving() override { setProgress ({}); } // It belongs to the device before.
     void describe() override;
@@ -130,7 +130,7 @@ private:
     bool hasDrifted() const;
     void requestDesigns (const std::vector<int>& firstNotes);
     std::function<WideModel()> widen() const;
-    void forwardTouches (const std::vector<Touch>&);
+    void designFired (const std::vector<FiredFocus>&);
     void setProgress (const DesignProgress&);
     std::shared_ptr<const DesignDocument> written() const;
     std::vector<std::pair<double, double>> notePlaces() const;

@@ -92,20 +92,20 @@ Eigen::MatrixXd Session::probeShapes() const
     return shapes;
 }
 
-void Session::forwardTouches (const std::vector<Touch>& touches)
+void Session::designFired (const std::vector<FiredFocus>& fired)
 {
     if (path == nullptr)
         return;
 
     // The path is the entry's: it outlives the path's thread, which calls back.
-    for (const auto& touch : touches)
+    for (const auto& each : fired)
         path->foci().touch (
-            touch.x, touch.y,
-            [&target = entry, touch] (int place)
+            each.x, each.y,
+            [&target = entry, each] (int place)
             {
                 if (place >= 0)
-                    target.fire (place, touch.amplitude, touch.askedAt);
+                    target.fire (place, each.amplitude, each.askedAt);
             },
-            [&target = entry, touch] { return target.stops().now() == touch.askedAt; });
+            [&target = entry, each] { return target.stops().now() == each.askedAt; });
 }
 } // namespace antinode

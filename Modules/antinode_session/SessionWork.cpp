@@ -42,7 +42,7 @@ Session::Requests Session::take()
 
     asked.focus = nullptr;
     asked.choosesFocus = asked.isInsertionNew = asked.isOrderNew = false;
-    asked.touches.clear();
+    asked.fired.clear();
     return taken;
 }
 
@@ -52,7 +52,7 @@ void Session::setProgress (const DesignProgress& progress)
     designs = progress;
 }
 
-/** One round: what was loaded, then what the parameters say, then what was touched. */
+/** One round: what was loaded, then what the parameters say, then what was fired. */
 void Session::step (const Requests& wanted)
 {
     takeDocuments (wanted);
@@ -81,7 +81,7 @@ void Session::step (const Requests& wanted)
             publish();
     }
 
-    forwardTouches (wanted.touches);
+    designFired (wanted.fired);
 }
 
 void Session::takeDocuments (const Requests& wanted)

@@ -23,7 +23,7 @@ NoteDelays noteDelays (double rate)
     NoteDelays delays {};
 
     for (std::size_t i = 0; i < delays.size(); ++i)
-        delays[i] = filterTiming ({}, TouchDesigner::filterSettings (rate, i)).latencySamples();
+        delays[i] = filterTiming ({}, FilterDesigner::filterSettings (rate, i)).latencySamples();
 
     return delays;
 }
@@ -57,7 +57,7 @@ std::int64_t TouchSession::latencySamples (std::size_t latency) const
 
     try
     {
-        return filterTiming ({}, TouchDesigner::filterSettings (rate, latency)).latencySamples() + late;
+        return filterTiming ({}, FilterDesigner::filterSettings (rate, latency)).latencySamples() + late;
     }
     catch (const InputError&)
     {
@@ -147,7 +147,7 @@ void TouchSession::buildPath()
         InstrumentNodes nodes;
         nodes.filters =
             std::make_unique<FilterNode> (static_cast<int> (present.model->actuators()), format.inputs, TrackBand {},
-                                          TouchDesigner::filterSettings (rate, settings.latency), threshold);
+                                          FilterDesigner::filterSettings (rate, settings.latency), threshold);
         auto made = std::make_unique<InstrumentPath> (present.model, rate, std::move (nodes),
                                                       deviceFollowing.listen (present.model, rate), noteDelays (rate));
         makeDesigner();

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "FilterDesigner.h"
 #include "FingerMovement.h"
 #include "InstrumentSession.h"
-#include "TouchDesigner.h"
-#include "TouchFoci.h"
+#include "NoteFoci.h"
 
 #include <antinode_felt/SkinThreshold.h>
 
@@ -35,7 +35,7 @@ struct TouchSnapshot
     double progress = 0;         ///< Of them, 0 to 1.
     std::string designError;     ///< Why there are none: then those before play on.
     TouchSettings playedFingers; ///< Where the fingers were when the filters that play were designed.
-    std::array<std::shared_ptr<const TouchDesign>, touchLatencies.size()>
+    std::array<std::shared_ptr<const FilterDesign>, touchLatencies.size()>
         designs; ///< Of the present places, by latency; none: not made yet.
 };
 
@@ -62,7 +62,7 @@ public:
        be processing. [worker] */
     void prepare (const TouchFormat&);
 
-    /** What notes play on top of the tracks, TouchFoci; none: nothing. Returns at once. [any but the audio thread] */
+    /** What notes play on top of the tracks, NoteFoci; none: nothing. Returns at once. [any but the audio thread] */
     void loadFocus (std::shared_ptr<const FocusDocument> focus) { foci.load (std::move (focus)); }
     std::shared_ptr<const FocusDocument> focus() const { return foci.focus(); }
 
@@ -113,11 +113,11 @@ private:
     std::optional<TouchSettings> designedFor; ///< Also where that failed: nobody shall try it again and again.
     TouchFormat format;
     SkinThreshold threshold;
-    std::unique_ptr<TouchDesigner> designer;
+    std::unique_ptr<FilterDesigner> designer;
     bool isRetuned = false; ///< Whether it is for a device that has drifted since the filters that play were made.
     FingerMovement movement;
     FingerMovement::Clock::duration quickTime = std::chrono::milliseconds (10); ///< That quick filters last took.
-    TouchFoci foci;
+    NoteFoci foci;
     bool isPathNew = false;               ///< Whether no focus was asked for it yet.
     std::atomic<std::int64_t> late { 0 }; ///< Samples by which outputs come later where lags of ceramics are undone.
 };

@@ -22,7 +22,7 @@ void TouchSession::takeFollowing()
     if (present.model != nullptr && followingRequests->settings().isOn())
     {
         const auto focus = foci.focus();
-        const auto loads = restingFingers (touchedBy (present.model->surface, settings, format.inputs));
+        const auto loads = restingFingers (waveformsFor (present.model->surface, settings, format.inputs));
         const auto areLoads = ! loads.empty() || (focus != nullptr && ! focus->description.fingers.empty());
         deviceFollowing.setHindrance (areLoads ? "Fingers load the surface and change its modes." : "");
     }
@@ -46,7 +46,7 @@ void TouchSession::takeDrift()
 void TouchSession::makeDesigner()
 {
     designer =
-        std::make_unique<TouchDesigner> (deviceFollowing.driven (present.model), format.sampleRate, format.inputs);
+        std::make_unique<FilterDesigner> (deviceFollowing.driven (present.model), format.sampleRate, format.inputs);
     deviceFollowing.noteDesigned();
 }
 
@@ -58,7 +58,7 @@ void TouchSession::serveFoci()
     const auto& places = areNotesAwaited ? settings : movement.rest();
     const FociSurface surface { playedDevice,
                                 amplifiers,
-                                restingFingers (touchedBy (present.model->surface, places, format.inputs)),
+                                restingFingers (waveformsFor (present.model->surface, places, format.inputs)),
                                 areNotesAwaited || movement.restedFor (FingerMovement::Clock::now()) >= focusRest,
                                 deviceFollowing.device (present.model.get()),
                                 deviceFollowing.shift() };

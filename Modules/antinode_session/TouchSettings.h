@@ -25,6 +25,9 @@ enum class FingerLoad
     firm
 };
 
+/** What kinds of loads are called; none: empty. */
+inline constexpr std::array fingerLoadWords { "", "light", "medium", "firm" };
+
 /** A finger as the parameters of a host say it. */
 struct FingerSettings
 {

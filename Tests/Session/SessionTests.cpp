@@ -259,8 +259,8 @@ TEST_CASE ("A touch is designed at its own place and fired, a place off the surf
 {
     test::PlayedSession played;
     played.prepare (rate);
-    CHECK (played.session.fireAt (1, 0, 1) == Session::TouchResult::outsideSurface);
-    REQUIRE (played.session.fireAt (-0.02, 0, 0.5) == Session::TouchResult::taken);
+    CHECK (played.session.fireAt (1, 0, 1) == Session::FireResult::outsideSurface);
+    REQUIRE (played.session.fireAt (-0.02, 0, 0.5) == Session::FireResult::taken);
     CHECK (waitFor (
         [&]
         {

@@ -39,7 +39,7 @@ struct FociSurface
     spread over the surface. A focus that was written before plays on every note. It is designed for the fingers of its
     own document, and for those of the session where these rest. Docs/Decisions/0113-foci-in-touch.md,
     0131-foci-know-resting-fingers.md */
-class TouchFoci
+class NoteFoci
 {
 public:
     /** Another focus; none: notes play nothing. [any but the audio thread] */
