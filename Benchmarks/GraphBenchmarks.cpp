@@ -4,8 +4,8 @@
 
 #include <antinode_engine/PlanarBuffer.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_graph/InstrumentGraph.h>
 #include <antinode_graph/PlateModelNode.h>
-#include <antinode_graph/StandardGraph.h>
 
 #include <benchmark/benchmark.h>
 
@@ -27,13 +27,16 @@ constexpr Playback playback { Reconstruction::bandLimited, rate };
 struct Played
 {
     std::shared_ptr<const ModalModel> model = std::make_shared<const ModalModel> (test::sineBeam (30, ceramics));
-    StandardGraph graph;
+    InstrumentGraph graph;
     std::vector<FocusEvent> events;
 
     Played (bool isOpen, int voices)
     {
         const auto probe = shapesAt (*model, 0.01, 0);
-        graph = isOpen ? openGraph (model, {}, probe, {}) : standardGraph (model, {}, probe);
+        InstrumentNodes nodes;
+        nodes.choice = { isOpen };
+        nodes.probeShapes = probe;
+        graph = instrumentGraph (model, std::move (nodes));
         graph.graph.prepare ({ rate, isOpen ? 64 : 512 });
         FocusDescription focus;
         focus.targets = { Target {} };

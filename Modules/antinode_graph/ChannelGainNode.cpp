@@ -42,7 +42,8 @@ void ChannelGainNode::process (const NodeBlock& block)
             ramps[channel].setTarget (target, rampSamples);
         }
 
-        ramps[channel].process (block.outputs + i, 1, block.count);
+        if (ramps[channel].isMoving() || ramps[channel].gain() != 1)
+            ramps[channel].process (block.outputs + i, 1, block.count);
     }
 }
 } // namespace antinode

@@ -33,7 +33,8 @@ double usableSample (double value)
 
 FilterNode::FilterNode (int ceramicsToDrive, int inputsToTake, TrackBand band, const FilterSettings& settings,
                         const SkinThreshold& threshold)
-    : ceramics (ceramicsToDrive), playing (bankAtFirst (ceramics, inputsToTake, band, settings)),
+    : ceramics (ceramicsToDrive), factorOfFilters (filterTiming (band, settings).factor),
+      playing (bankAtFirst (ceramics, inputsToTake, band, settings)),
       player (*playing, fadeSamples (settings, *playing)),
       asked (filterRate (settings, *playing), band, threshold, playing->taps, inputsToTake),
       offsets (static_cast<std::size_t> (inputsToTake), 0.0), wantedLevels (offsets), levels (wantedLevels),

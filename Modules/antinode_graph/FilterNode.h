@@ -56,6 +56,9 @@ public:
         largestLevel; others count as 0 [audio thread] */
     void setLevel (std::size_t input, double metres) { wantedLevels[input] = metres / largestLevel; }
 
+    /** Samples per sample of the filters, and of what the inputs ask for. [any] */
+    Eigen::Index factor() const { return factorOfFilters; }
+
     /** What the inputs ask for. [audio thread] */
     InputMotion& motion() { return asked; }
 
@@ -67,6 +70,7 @@ private:
     static constexpr double rampTime = 0.005; // s
 
     int ceramics;
+    Eigen::Index factorOfFilters;
     HandOver<FilterBank> exchange;
     std::unique_ptr<const FilterBank> playing; ///< Of the audio thread, as all below.
     std::unique_ptr<const FilterBank> coming;  ///< While it fades in.

@@ -5,11 +5,6 @@
 
 namespace antinode
 {
-LimiterNode* LagOutputs::limiterIn (NodeGraph& graph) const
-{
-    return *this ? &static_cast<LimiterNode&> (graph.node (limiter)) : nullptr;
-}
-
 std::int64_t LagOutputs::lateSamples (NodeGraph& graph) const
 {
     return *this ? graph.node (filters).latencySamples() : 0;

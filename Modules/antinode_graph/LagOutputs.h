@@ -19,9 +19,6 @@ struct LagOutputs
     /** Whether there is anything. [any] */
     explicit operator bool() const { return limiter != NodeGraph::noSource; }
 
-    /** The limiter, where there is one; else null. [any] */
-    LimiterNode* limiterIn (NodeGraph&) const;
-
     /** By how much all that is designed happens later. [any, after prepare] */
     std::int64_t lateSamples (NodeGraph&) const;
 };

@@ -7,7 +7,7 @@ namespace antinode
 {
 void OverlaidFociNode::process (const NodeBlock& block)
 {
-    player.process (block);
+    PlayerNode::process (block);
 
     for (int i = 0; i < outputs(); ++i)
         std::transform (block.inputs[i], block.inputs[i] + block.count, block.outputs[i], block.outputs[i],

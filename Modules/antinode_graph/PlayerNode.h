@@ -22,9 +22,6 @@ public:
     FocusVoices& voices() override { return *focusPlayer; }
     const FocusVoices& voices() const override { return *focusPlayer; }
 
-    /** The player of the last prepare: a new one is made whenever the rate changes. [worker, not while it processes] */
-    FocusPlayer& player() { return *focusPlayer; }
-
 private:
     int ceramics;
     PlayerSettings settings;

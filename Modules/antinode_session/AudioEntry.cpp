@@ -12,31 +12,31 @@ void AudioEntry::prepare (double sampleRate)
     preparedRate = sampleRate;
     paths.reset();
     stopCount.stop();
-    held.reset();
+    waiting.reset();
 }
 
-int AudioEntry::eventPlace (const FocusEvent& event) const
-{
-    return bankPlaceOf (event.place, playsSpotOnly);
-}
-
-/** The events of the block with those that came from elsewhere before them; a note's place becomes the bank's. */
-std::span<const FocusEvent> AudioEntry::gather (std::span<const FocusEvent> events)
+/** The events of a block with those that came from elsewhere before them; a note becomes a place of the bank, as loud
+   as the gain has it. Only stops are left where notes play nothing. */
+std::span<const FocusEvent> AudioEntry::gather (std::span<const FocusEvent> events, double focusGain)
 {
     const std::span all (blockEvents);
-    const auto [waiting, stop] = triggers.pop (all.subspan (1, TriggerQueue::capacity));
+    const auto [fired, stop] = triggers.pop (all.subspan (1, TriggerQueue::capacity));
     const auto isStopped = std::exchange (playedStop, stop) != stop;
+    const auto playedNotes = notes();
+    auto count = 1 + fired;
     all.front() = { 0, FocusEventKind::stopAll, 0, 0 };
-    const auto own = all.subspan (1 + waiting, std::min (events.size(), mostOfBlock));
-    std::copy_n (events.begin(), own.size(), own.begin());
 
-    for (auto& event : own)
+    for (const auto& event : events.first (std::min (events.size(), EventDelay::mostPerBlock)))
         if (isStop (event))
-            playedStop = stopCount.stopByNote(); // Touches that are being designed were asked for before it.
-        else
-            event.place = eventPlace (event);
+        {
+            playedStop = stopCount.stopByNote(); // Foci that are being designed were fired before it.
+            all[count++] = event;
+        }
+        else if (playedNotes != NoteMeaning::nothing)
+            all[count++] = { event.offset, event.kind, bankPlaceOf (event.place, playedNotes),
+                             event.amplitude * focusGain };
 
-    return all.subspan (isStopped ? 0 : 1, own.size() + waiting + (isStopped ? 1 : 0));
+    return all.first (count).subspan (isStopped ? 0 : 1);
 }
 
 template <typename Sample>
@@ -47,8 +47,10 @@ void AudioEntry::process (const AudioBlock<Sample>& block, const PlayControls& c
         auto now = controls;
         now.isArmed = controls.isArmed && ! paths.isLeaving();
         fullScale = current->model().fullScaleVoltage;
-        current->process (block, held.process (gather (block.events), block.count, 0, paths.isLeaving()), now, levels,
-                          trace);
+        current->process (block,
+                          waiting.process (gather (block.events, controls.focusGain), block.count,
+                                           current->noteDelay (controls), paths.isLeaving()),
+                          now, levels);
         return;
     }
 

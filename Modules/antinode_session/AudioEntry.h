@@ -1,6 +1,6 @@
 #pragma once
 
-#include "AudioPath.h"
+#include "InstrumentPath.h"
 #include "PathExchange.h"
 #include "TriggerQueue.h"
 
@@ -14,8 +14,8 @@
 
 namespace antinode
 {
-/** Where the audio thread enters a session: triggers in, the path that plays, meters out. The session's thread gives it
-   paths, by one atomic exchange. */
+/** Where the audio thread enters a session: notes and triggers in, the path that plays, meters out. The session's
+   thread gives it paths, by one atomic exchange. */
 class AudioEntry
 {
 public:
@@ -25,6 +25,9 @@ public:
 
     /** The sample rate from the next block on; what plays comes to rest. Nothing may be processing. [worker] */
     void prepare (double sampleRate);
+
+    /** Hz; 0 before the first preparation. [any] */
+    double sampleRate() const { return preparedRate; }
 
     /** Fires a place of the bank with the next block, unless there was a stop since it was asked for.
         @param amplitude  0 to 1 @param askedAt  number of the stop before it [any but the audio thread] */
@@ -37,39 +40,34 @@ public:
         by all notes off among the events of a block, and by prepare(). [any] */
     StopCount& stops() { return stopCount; }
 
-    /** The place of the bank that an event means. [any] */
-    int eventPlace (const FocusEvent&) const;
-
-    /** Whether every note plays the focus at its own place. [any] */
-    void setPlaysSpotOnly (bool should) { playsSpotOnly = should; }
+    /** What notes play from the next block on. [session's thread] */
+    void setNotes (NoteMeaning notes) { meaning = notes; }
+    NoteMeaning notes() const { return meaning; }
 
     /** [session's thread] PathExchange */
-    void give (std::unique_ptr<AudioPath> path) { paths.give (std::move (path)); }
+    void give (std::unique_ptr<InstrumentPath> path) { paths.give (std::move (path)); }
     void collect() { paths.collect(); }
 
     /** Frees all paths, at the end. Nothing may be processing. [session's thread] */
     void clear() { paths.clear(); }
 
-    LevelMeters& meters() { return levels; }
-    ProbeTrace& probeTrace() { return trace; }
+    InstrumentMeters& meters() { return levels; }
 
     /** The voltage of a sample of 1.0 in the last block, V; 0 before the first block. [any] */
     double fullScaleVolts() const { return fullScale; }
 
 private:
-    std::span<const FocusEvent> gather (std::span<const FocusEvent> events);
+    std::span<const FocusEvent> gather (std::span<const FocusEvent> events, double focusGain);
 
-    static constexpr std::size_t mostOfBlock = 1024; ///< Events that come with one.
-
-    std::atomic<bool> playsSpotOnly { false };
+    std::atomic<NoteMeaning> meaning { NoteMeaning::nothing };
     std::atomic<double> preparedRate { 0 }, fullScale { 0 };
     StopCount stopCount;
     TriggerQueue triggers { stopCount };
-    EventDelay held;              ///< Of the audio thread: events that wait while the path ramps out for another one.
+    EventDelay waiting; ///< Of the audio thread: notes until filters give what comes with them, and all events while
+                        ///< the path ramps out for another one. It lasts longer than a path.
     std::uint64_t playedStop = 0; ///< The newest one, of the audio thread as the next line.
-    std::array<FocusEvent, 1 + TriggerQueue::capacity + mostOfBlock> blockEvents {};
-    LevelMeters levels;
-    ProbeTrace trace;
-    PathExchange<AudioPath> paths;
+    std::array<FocusEvent, 1 + TriggerQueue::capacity + EventDelay::mostPerBlock> blockEvents {};
+    InstrumentMeters levels;
+    PathExchange<InstrumentPath> paths;
 };
 } // namespace antinode

@@ -14,23 +14,35 @@ DevicePath::DevicePath (std::shared_ptr<const ModalModel> model, double sampleRa
 void DevicePath::play (NodeGraph& graph, int limiter, const LagOutputs& lags)
 {
     nodes = &graph;
-    first = &static_cast<LimiterNode&> (graph.node (limiter));
-    second = lags.limiterIn (graph);
+    limiters = { &static_cast<LimiterNode&> (graph.node (limiter)) };
+
+    if (lags)
+        limiters.push_back (&static_cast<LimiterNode&> (graph.node (lags.limiter)));
+
     late = lags.lateSamples (graph);
 }
 
 void DevicePath::setFocusLimits (const Eigen::VectorXd& volts)
 {
-    for (auto* const limiter : limiters())
-        if (limiter != nullptr)
-            limiter->setFocusLimits (volts);
+    for (auto* const limiter : limiters)
+        limiter->setFocusLimits (volts);
 }
 
 void DevicePath::setArmed (bool isArmed)
 {
-    for (auto* const limiter : limiters())
-        if (limiter != nullptr)
-            limiter->setArmed (isArmed);
+    for (auto* const limiter : limiters)
+        limiter->setArmed (isArmed);
+}
+
+void DevicePath::setVoltageLimit (double volts)
+{
+    for (auto* const limiter : limiters)
+        limiter->setVoltageLimit (volts);
+}
+
+double DevicePath::ringingSeconds() const
+{
+    return std::log (1000) / decayRates (*modes).minCoeff();
 }
 
 bool DevicePath::isSilentAfter (std::int64_t passed) const
@@ -58,9 +70,8 @@ void DevicePath::noteVoltages (int count, Outputs voltages, LevelMeters& meters)
     {
         meters.notePeak (i, static_cast<float> (absolutePeak (voltages[i], count)));
 
-        for (auto* const limiter : limiters())
-            if (limiter != nullptr)
-                meters.addLimited (i, limiter->takeLimitedSamples (static_cast<std::size_t> (i)));
+        for (auto* const limiter : limiters)
+            meters.addLimited (i, limiter->takeLimitedSamples (static_cast<std::size_t> (i)));
     }
 }
 

@@ -8,9 +8,9 @@
 #include <antinode_graph/NodeGraph.h>
 #include <antinode_model/ModalModel.h>
 
-#include <array>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace antinode
 {
@@ -31,6 +31,9 @@ public:
     /** By how much all that is designed happens later, because lags of ceramics are undone, samples. [worker] */
     std::int64_t lateSamples() const { return late; }
 
+    /** How long the slowest mode takes to decay by 60 dB, s. [worker] */
+    double ringingSeconds() const;
+
     /** Whether a ramp to silence that began so many samples ago has ended. [audio thread] */
     bool isSilentAfter (std::int64_t samples) const;
 
@@ -47,10 +50,8 @@ protected:
     /** Once the graph is prepared, which outlives this. @param limiter  index of the node @param lags  behind it */
     void play (NodeGraph&, int limiter, const LagOutputs& lags = {});
 
-    /** Both limiters; the second one may be missing. */
-    std::array<LimiterNode*, 2> limiters() const { return { first, second }; }
-
     void setArmed (bool isArmed);
+    void setVoltageLimit (double volts);
 
     /** @param voltages  of all ceramics, as outputs are asked for */
     template <typename Sample>
@@ -62,8 +63,8 @@ protected:
 
 private:
     NodeGraph* nodes = nullptr;
-    LimiterNode *first = nullptr, *second = nullptr; ///< The second one behind the filters of lags; none: nothing lags.
-    std::int64_t late = 0;                           ///< Samples.
+    std::vector<LimiterNode*> limiters; ///< The second one behind the filters of lags, where there are any.
+    std::int64_t late = 0;              ///< Samples.
 };
 
 /** The largest absolute value of a block. [audio thread] */

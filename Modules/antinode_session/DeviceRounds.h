@@ -4,7 +4,10 @@
 #include "Documents.h"
 #include "SessionOwner.h"
 
+#include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
+#include <antinode_engine/FocusEvent.h>
+#include <antinode_library/Library.h>
 #include <antinode_model/ModalModel.h>
 
 #include <atomic>
@@ -15,6 +18,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -24,11 +28,23 @@ namespace antinode
     taken up, and a snapshot. Requests and answers are under a lock; the session's thread works in rounds.
     @tparam Snapshot  has device, model, isSolving and error
     @tparam Settings  what parameters say
-    @tparam Format    what a host plays; all zero before the first preparation */
-template <typename Snapshot, typename Settings, typename Format>
+    @tparam PlayedFormat  what a host plays; all zero before the first preparation */
+template <typename Snapshot, typename Settings, typename PlayedFormat>
 class DeviceRounds
 {
 public:
+    using Format = PlayedFormat;
+
+    /** @param readSettings  gives what the parameters say
+        @param onChange      called after the snapshot has changed. Both are called on the session's thread and must not
+                             block */
+    DeviceRounds (DeviceDocument device, std::function<Settings()> readSettings, std::function<void()> onChange)
+        : owner (std::move (readSettings), std::move (onChange)),
+          nextDevice (std::make_shared<const DeviceDocument> (std::move (device))),
+          published (std::make_shared<const Snapshot>())
+    {
+    }
+
     virtual ~DeviceRounds() = default;
     DeviceRounds (const DeviceRounds&) = delete;
     DeviceRounds& operator= (const DeviceRounds&) = delete;
@@ -50,13 +66,36 @@ public:
         wantedAmplifiers = std::move (volts);
     }
 
-    /** Waits until all that was asked for is taken up. [any but a real-time audio thread] */
-    void waitUntilSettled()
+    /** Waits until all that was asked for is taken up. @param notes  that a session of instruments waits for, too [any
+        but a real-time audio thread] */
+    void waitUntilSettled ([[maybe_unused]] std::span<const FocusEvent> notes = {})
     {
         std::unique_lock lock (mutex);
         const auto round = ++roundsRequested;
         wake.notify_all();
         settled.wait (lock, [&] { return roundsDone >= round; });
+    }
+
+    /** Works until it is stopped; then no path is left. Nothing may be processing by then. [session's thread] */
+    void run()
+    {
+        const WatchScope scope ([this] { return ! isStopping; });
+
+        try
+        {
+            for (std::uint64_t round = 0; awaitRound (round);)
+            {
+                work();
+                finish (round);
+                rest();
+            }
+        }
+        catch (const Cancelled&)
+        {
+            // It is stopping.
+        }
+
+        clear();
     }
 
     /** [any but the audio thread] */
@@ -82,16 +121,6 @@ protected:
     static constexpr auto interval = std::chrono::milliseconds (4);  ///< Between looks at the parameters.
     static constexpr auto patience = std::chrono::milliseconds (40); ///< Of a host that prepares us.
 
-    /** @param readSettings  gives what the parameters say
-        @param onChange      called after the snapshot has changed. Both are called on the session's thread and must not
-                             block */
-    DeviceRounds (DeviceDocument device, std::function<Settings()> readSettings, std::function<void()> onChange)
-        : owner (std::move (readSettings), std::move (onChange)),
-          nextDevice (std::make_shared<const DeviceDocument> (std::move (device))),
-          published (std::make_shared<const Snapshot>())
-    {
-    }
-
     /** Asks for a format, and waits a moment for it. [worker] */
     void ask (const Format& format, std::chrono::milliseconds longest = patience)
     {
@@ -109,6 +138,15 @@ protected:
         const std::lock_guard lock (mutex);
         return wantedFormat;
     }
+
+    /** One round: takes up what was asked for. */
+    virtual void work() = 0;
+
+    /** Behind a round, when nobody waits for it any more. */
+    virtual void rest() {}
+
+    /** Frees all that plays. */
+    virtual void clear() = 0;
 
     /** @return  false at the end */
     bool awaitRound (std::uint64_t& round)
@@ -148,10 +186,9 @@ protected:
     }
 
     /** A newer device ends this one's solving; the next round takes it.
-        @param makeModel  gives the model of a document
-        @param then       called before it is said to be solved */
-    template <typename MakeModel, typename Then>
-    void solve (const MakeModel& makeModel, const Then& then)
+        @param then  called before it is said to be solved */
+    template <typename Then>
+    void solve (const Then& then)
     {
         present.isSolving = true;
         publish();
@@ -159,7 +196,12 @@ protected:
         try
         {
             const WatchScope scope ([this] { return ! hasOtherDocument(); });
-            auto made = makeModel (*present.device);
+            auto made = std::make_shared<const ModalModel> (solvedModel (present.device->description));
+
+            if (made->actuators() == 0)
+                throw InputError ("device '" + present.device->description.name + "'",
+                                  "has no ceramics, so nothing can move it");
+
             auto volts = askedAmplifiers();
             present.model = withAmplifiers (made, volts);
             solved = std::move (made);
@@ -217,6 +259,9 @@ protected:
         }
         owner.tell();
     }
+
+    /** @throws InputError  where it cannot be played */
+    virtual ModalModel solvedModel (const DeviceDescription& device) const { return solveDevice (device, {}, true); }
 
     /** Whether more is asked for than rounds have. Under the lock. */
     virtual bool isMoreAsked() const { return false; }

@@ -14,9 +14,10 @@ namespace
 constexpr double bankMargin = 0.1; // of the surface's shorter side, kept from its edges
 } // namespace
 
-int bankPlaceOf (int note, bool playsSpotOnly)
+int bankPlaceOf (int note, NoteMeaning meaning)
 {
-    return playsSpotOnly || note == spotNote ? FocusBank::livePlace : std::clamp (note, 0, FocusBank::places - 1);
+    return meaning == NoteMeaning::spotOnly || note == spotNote ? FocusBank::livePlace
+                                                                : std::clamp (note, 0, FocusBank::places - 1);
 }
 
 std::vector<std::pair<double, double>> spreadNotes (const Surface& surface, std::pair<double, double> spot)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "DesignRequest.h"
+#include "PlayControls.h"
 
 #include <functional>
 #include <memory>
@@ -12,8 +13,8 @@ namespace antinode
 /** Middle C plays the focus at its own position, whatever the other notes play. */
 inline constexpr int spotNote = 60;
 
-/** The place of the bank that a note means. @param playsSpotOnly  every note the focus at its own place [any] */
-int bankPlaceOf (int note, bool playsSpotOnly);
+/** The place of the bank that a note means. [any] */
+int bankPlaceOf (int note, NoteMeaning);
 
 /** The places of all notes: spread over the surface, middle C at the spot. @param spot  x, y in m
     @return  x, y in m, by note number [any] */

@@ -50,7 +50,7 @@ void PlatePath::process (const AudioBlock<Sample>& block, const SurfaceControls&
                          LevelMeters& meters)
 {
     static_cast<InputNode&> (graph.node (input)).give (block.inputs, modes->fullScaleVoltage);
-    setArmed (controls.isPlaying);
+    setArmed (controls.isArmed);
     gain = controls.gain;
 
     if (isLeaving && ! std::exchange (isRamping, true))
@@ -68,7 +68,7 @@ void PlatePath::process (const AudioBlock<Sample>& block, const SurfaceControls&
 
                             captureMotion (count);
                         });
-    meters.noteState (limiters().front()->limiter().isMuted(), 0);
+    meters.noteState (static_cast<LimiterNode&> (graph.node (limiter)).limiter().isMuted(), 0);
 }
 
 template <typename Sample>

@@ -14,8 +14,8 @@ namespace antinode
 /** What takes effect at once. */
 struct SurfaceControls
 {
-    bool isPlaying = true; ///< False: all voltages ramp to 0, and the surface rings out.
-    double gain = 1;       ///< Factor of the velocities.
+    bool isArmed = true; ///< False: all voltages ramp to 0, and the surface rings out.
+    double gain = 1;     ///< Factor of the velocities.
 };
 
 /** How a surface is computed. */

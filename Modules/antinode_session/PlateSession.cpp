@@ -2,35 +2,11 @@
 
 #include "FocusSettings.h"
 
-#include <antinode_base/InputError.h>
-#include <antinode_library/Library.h>
-
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace antinode
 {
-namespace
-{
-/** @throws InputError  where it cannot be solved, or has nothing that moves it */
-std::shared_ptr<const ModalModel> solvedForPlate (const DeviceDocument& document)
-{
-    auto model = std::make_shared<const ModalModel> (solveDevice (document.description, {}, true));
-
-    if (model->actuators() == 0)
-        throw InputError ("device '" + document.description.name + "'", "has no ceramics, so nothing can move it");
-
-    return model;
-}
-} // namespace
-
-PlateSession::PlateSession (DeviceDocument device, std::function<SurfaceSettings()> readSettings,
-                            std::function<void()> onChange)
-    : DeviceRounds (std::move (device), std::move (readSettings), std::move (onChange))
-{
-}
-
 void PlateSession::prepare (double sampleRate)
 {
     preparedRate = sampleRate;
@@ -38,31 +14,11 @@ void PlateSession::prepare (double sampleRate)
     ask (sampleRate);
 }
 
-void PlateSession::run()
-{
-    const WatchScope scope ([this] { return ! isStopping; });
-
-    try
-    {
-        for (std::uint64_t round = 0; awaitRound (round);)
-        {
-            step();
-            finish (round);
-        }
-    }
-    catch (const Cancelled&)
-    {
-        // It is stopping.
-    }
-
-    paths.clear();
-}
-
 /** One round: what was loaded, then the sample rate, then what the parameters say. */
-void PlateSession::step()
+void PlateSession::work()
 {
     if (takeDocument())
-        solve (solvedForPlate, [] {});
+        solve ([] {});
 
     takeAmplifiers();
 
@@ -89,7 +45,7 @@ void PlateSession::buildPath (double sampleRate)
         auto made = std::make_unique<PlatePath> (present.model, sampleRate, probeShapes(), settings.model);
         path = made.get();
         latency = path->latencySamples();
-        tail = static_cast<double> (latency) / sampleRate + std::log (1000) / decayRates (*present.model).minCoeff();
+        tail = static_cast<double> (latency) / sampleRate + path->ringingSeconds();
         present.motion = path->motion();
         present.captureStep = path->captureStep();
         paths.give (std::move (made));

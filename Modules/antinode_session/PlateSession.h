@@ -41,8 +41,7 @@ struct PlateSnapshot
 class PlateSession : public DeviceRounds<PlateSnapshot, SurfaceSettings, double>
 {
 public:
-    /** Starts with solving. @param readSettings, onChange  as DeviceRounds [worker] */
-    PlateSession (DeviceDocument, std::function<SurfaceSettings()> readSettings, std::function<void()> onChange);
+    using DeviceRounds::DeviceRounds;
 
     /** Brings the surface to rest, and asks for the path of a sample rate. Waits for it, but only a moment. Nothing
         may be processing. [worker] */
@@ -60,11 +59,9 @@ public:
     /** The latency and 60 dB of the slowest mode's decay, s. [any] */
     double tailSeconds() const { return tail; }
 
-    /** Works until it is stopped; then no path is left. Nothing may be processing by then. [session's thread] */
-    void run();
-
 private:
-    void step();
+    void work() override;
+    void clear() override { paths.clear(); }
     void buildPath (double sampleRate);
     void moveProbes();
     Eigen::MatrixXd probeShapes() const;

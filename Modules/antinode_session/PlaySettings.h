@@ -1,6 +1,5 @@
 #pragma once
 
-#include <antinode_engine/FocusVoices.h>
 #include <antinode_focus/FocusDescription.h>
 
 namespace antinode
@@ -31,16 +30,5 @@ struct PlaySettings
     bool focusOnNote = false; ///< Of which the host knows the latency; what plays has it in its controls.
 
     bool operator== (const PlaySettings&) const = default;
-};
-
-/** Settings that take effect immediately, without a new design. */
-struct PlayControls
-{
-    PlayerSettings notes;         ///< What notes do.
-    bool isArmed = true;          ///< False: all voltages ramp to 0.
-    double outputTrim = 1;        ///< Factor of all voltages, 0 to 1.
-    double monitorGain = 1;       ///< Factor of the probe velocities; 1: a sample of 1.0 is 1 m/s.
-    double voltageLimit = 1e9;    ///< V, in addition to each ceramic's own limit.
-    unsigned long long mutes = 0; ///< Bit i: ceramic i + 1 is silent.
 };
 } // namespace antinode

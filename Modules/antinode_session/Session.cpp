@@ -10,10 +10,11 @@ namespace antinode
 {
 Session::Session (DeviceDocument device, FocusDocument focusToPlay, std::function<PlaySettings()> readSettings,
                   std::function<void()> onChange, TakeFocus takeFocusToCall)
-    : DeviceRounds (std::move (device), std::move (readSettings), std::move (onChange)),
+    : InstrumentSession (std::move (device), std::move (readSettings), std::move (onChange)),
       takeFocus (std::move (takeFocusToCall)), newest (std::make_shared<const FocusDocument> (std::move (focusToPlay)))
 {
     asked.focus = newest;
+    entry.setNotes (NoteMeaning::spread);
 }
 
 void Session::load (std::shared_ptr<const DeviceDocument> device, std::shared_ptr<const FocusDocument> wanted)
@@ -49,25 +50,6 @@ void Session::prepare (double sampleRate)
     ask (sampleRate);
 }
 
-void Session::await (std::optional<std::vector<int>> places)
-{
-    const std::lock_guard lock (mutex);
-    awaited = std::move (places);
-}
-
-void Session::waitUntilSettled (std::span<const FocusEvent> events)
-{
-    std::vector places { FocusBank::livePlace };
-
-    for (const auto& event : events)
-        if (event.kind == FocusEventKind::trigger)
-            places.push_back (entry.eventPlace (event));
-
-    await (std::move (places));
-    DeviceRounds::waitUntilSettled();
-    await ({});
-}
-
 void Session::insertNodes (InsertNodes insert)
 {
     const std::lock_guard lock (mutex);
@@ -94,29 +76,29 @@ void Session::fire (double amplitude)
     entry.fire (FocusBank::livePlace, amplitude, stops().now());
 }
 
-Session::TouchResult Session::fireAt (double x, double y, double amplitude)
+Session::FireResult Session::fireAt (double x, double y, double amplitude)
 {
     const auto askedAt = stops().now();
     const auto now = snapshot();
 
     if (now->model == nullptr)
-        return TouchResult::notAccepted;
+        return FireResult::notAccepted;
 
     const auto& surface = now->model->surface;
 
     if (! liesOn (surface, x, y))
-        return TouchResult::outsideSurface;
+        return FireResult::outsideSurface;
 
     // Those from before the last stop wait no longer.
     const std::lock_guard lock (mutex);
-    std::erase_if (asked.touches, [askedAt] (const auto& earlier) { return earlier.askedAt < askedAt; });
+    std::erase_if (asked.fired, [askedAt] (const auto& earlier) { return earlier.askedAt < askedAt; });
 
-    if (asked.touches.size() >= FocusBank::touchPlaces)
-        return TouchResult::notAccepted;
+    if (asked.fired.size() >= FocusBank::touchPlaces)
+        return FireResult::notAccepted;
 
-    asked.touches.push_back ({ x, surface.kind == SurfaceKind::line ? 0.0 : y, amplitude, askedAt });
+    asked.fired.push_back ({ x, surface.kind == SurfaceKind::line ? 0.0 : y, amplitude, askedAt });
     wake.notify_all();
-    return TouchResult::taken;
+    return FireResult::taken;
 }
 
 DesignProgress Session::progress() const

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "AudioEntry.h"
-#include "DeviceFollowing.h"
-#include "DeviceRounds.h"
-#include "NoteBank.h"
+#include "InstrumentSession.h"
+#include "PlaySettings.h"
 #include "SessionSnapshot.h"
 
 #include <antinode_fingers/Finger.h>
@@ -29,11 +27,12 @@ using TakeFocus = std::function<bool (const std::shared_ptr<const FocusDocument>
     over by one atomic exchange after the old one has ramped to 0 V, and the old one is freed there. Nothing here waits
    for that work longer than a moment. SessionThread makes it, for it lasts as long as its thread. Docs/Architecture.md,
     Session. */
-class Session : public DeviceRounds<SessionSnapshot, PlaySettings, double>
+class Session : public InstrumentSession<SessionSnapshot, PlaySettings, double>
 {
 public:
     /** Middle C plays the focus at its own position, whatever the other notes play. */
     static constexpr int spotNote = antinode::spotNote;
+    static constexpr int probes = 2; ///< Of the monitor.
 
     /** Starts with solving.
         @param readSettings, onChange  as DeviceRounds
@@ -52,19 +51,7 @@ public:
        processing. [worker] */
     void prepare (double sampleRate);
 
-    /** Plays a block, or silence while there is no path. [audio thread] allocates nothing, locks nothing */
-    template <typename Sample>
-    void process (const AudioBlock<Sample>& block, const PlayControls& controls)
-    {
-        entry.process (block, controls);
-    }
-
-    /** Waits until all that was loaded is taken up, with what the parameters say, and the focus at its own place is
-       designed, and those that these events trigger: for offline rendering. One caller at a time. [any but a real-time
-       audio thread] */
-    void waitUntilSettled (std::span<const FocusEvent> events = {});
-
-    /** Plays by separate nodes (openGraph), or by the fused ones, which are the same samples at less cost. What plays
+    /** Plays by separate nodes, or by the fused ones, which are the same samples at less cost. What plays
        ramps out when the other path is ready. [any] */
     void setGraphOpen (bool shouldBeOpen) { wantsOpenGraph = shouldBeOpen; }
     bool isGraphOpen() const { return wantsOpenGraph; }
@@ -74,10 +61,6 @@ public:
        thread] */
     void insertNodes (InsertNodes insert);
 
-    /** What follows the drift of the device, and what is known: foci are designed for the device as it is. Another
-       sensor makes another path; one that cannot be had becomes a status. [any but the audio thread] */
-    FollowingRequests& following() const { return *followingRequests; }
-
     /** Designs the places of these notes before those of the others, in this order; by default that of middle C.
         [any but the audio thread] */
     void designFirst (std::vector<int> notes);
@@ -86,7 +69,7 @@ public:
     void fire (double amplitude);
 
     /** The outcome of firing a focus at another position. */
-    enum class TouchResult
+    enum class FireResult
     {
         taken,
         outsideSurface,
@@ -94,37 +77,23 @@ public:
     };
 
     /** Designs and fires a focus at another position. @param x, y  m [any but the audio thread] */
-    TouchResult fireAt (double x, double y, double amplitude);
-
-    /** Fades all voices out with the next block, and voids what was asked for before and waits: touches, their designs,
-        triggers. [any] */
-    void stopAll() { stops().stop(); }
-
-    /** The stops so far: by stopAll(), by prepare(), by all notes off among the events of a block. [any] */
-    StopCount& stops() { return entry.stops(); }
+    FireResult fireAt (double x, double y, double amplitude);
 
     /** The progress of the designs. [any but the audio thread] */
     DesignProgress progress() const;
 
-    LevelMeters& meters() { return entry.meters(); }
-    const ProbeTrace& probeTrace() { return entry.probeTrace(); }
+    const ProbeTrace& probeTrace() { return entry.meters().trace; }
 
     /** Samples from a trigger to its focus if foci are delayed onto notes, else 0. [any] */
     std::int64_t latencySamples() const { return latency; }
-
-    /** The voltage of a sample of 1.0 in the last block, V; 0 before the first block. [any] */
-    double fullScaleVolts() const { return entry.fullScaleVolts(); }
 
     /** The tail after the last trigger, as the parameters are now: the focus with its brake, lags, and 60 dB of decay
        of the slowest mode. s [any but the audio thread] */
     double tailSeconds();
 
-    /** Works until it is stopped; then no path is left. Nothing may be processing by then. [session's thread] */
-    void run();
-
 private:
     /** A focus that is to be fired at another position: m, and its amplitude from 0 to 1. */
-    struct Touch
+    struct FiredFocus
     {
         double x = 0, y = 0, amplitude = 1;
         std::uint64_t askedAt = 0; ///< StopCount::now() then.
@@ -139,18 +108,18 @@ private:
         InsertNodes insert;                         ///< Of the open graph.
         bool isInsertionNew = false, isOrderNew = false;
         std::vector<int> firstNotes { spotNote }; ///< Are designed before the others.
-        std::vector<Touch> touches;
+        std::vector<FiredFocus> fired;
     };
 
-    bool isMoreAsked() const override { return asked.focus != nullptr || ! asked.touches.empty(); }
+    bool isMoreAsked() const override { return asked.focus != nullptr || ! asked.fired.empty(); }
     bool isPlayable() const override { return designs.designed > 0 || designs.wanted == 0; }
     void endSolving() override { setProgress ({}); } // It belongs to the device before.
     void describe() override;
     std::shared_ptr<const FocusDocument> newestFocus() const;
-    void await (std::optional<std::vector<int>> places);
-
     // What follows is of the session's thread.
 
+    void work() override;
+    void rest() override { tellOfEnd (progress().endSeconds); }
     Requests take();
     void step (const Requests&);
     void takeDocuments (const Requests&);
@@ -161,8 +130,7 @@ private:
     bool hasDrifted() const;
     void requestDesigns (const std::vector<int>& firstNotes);
     std::function<WideModel()> widen() const;
-    void forwardTouches (const std::vector<Touch>&);
-    void waitForDesigns();
+    void designFired (const std::vector<FiredFocus>&);
     void setProgress (const DesignProgress&);
     std::shared_ptr<const DesignDocument> written() const;
     std::vector<std::pair<double, double>> notePlaces() const;
@@ -171,12 +139,9 @@ private:
     TakeFocus takeFocus;
     std::atomic<bool> wantsOpenGraph { false };
     std::atomic<std::int64_t> latency { 0 }; ///< Samples.
-    std::atomic<double> ringing { 1 };       ///< s: lags, and 60 dB of decay of the slowest mode.
-    AudioEntry entry;
 
     Requests asked;                              ///< So far, for the next round; under the lock, as the next lines.
     std::shared_ptr<const FocusDocument> newest; ///< Was loaded last.
-    std::optional<std::vector<int>> awaited;     ///< Places of the bank: somebody waits for their designs.
     DesignProgress designs;
 
     std::shared_ptr<const FocusDocument> focus; ///< Of the session's thread, as all below.
@@ -185,12 +150,8 @@ private:
     std::shared_ptr<const ModalModel> loadedModelOf; ///< What these were made of, with the next two lines.
     std::vector<Finger> fingers;
     std::vector<int> idle; ///< Ceramics that listen.
-    std::shared_ptr<FollowingRequests> followingRequests = std::make_shared<FollowingRequests>();
-    DeviceFollowing deviceFollowing { followingRequests };
-    double rate = 0;           ///< Hz, of the path.
-    AudioPath* path = nullptr; ///< The newest one, which `entry` owns; none where it could not be built.
+    double rate = 0;       ///< Hz, of the path.
     GraphChoice graph;
-    double toldEnd = 0; ///< s, of the foci: the tail that the owner knows.
     bool isFocusNew = false, isGraphNew = false;
 };
 } // namespace antinode

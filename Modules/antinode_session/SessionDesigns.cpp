@@ -16,7 +16,8 @@ void Session::requestDesigns (const std::vector<int>& firstNotes)
     const auto description = withSettings (focus->description, settings, present.model->surface);
     auto asWritten = written();
     latency = estimateLatency (focus->description, settings, rate) + path->lateSamples();
-    entry.setPlaysSpotOnly (settings.noteLayout == NoteLayout::spot || asWritten != nullptr);
+    entry.setNotes (settings.noteLayout == NoteLayout::spot || asWritten != nullptr ? NoteMeaning::spotOnly
+                                                                                    : NoteMeaning::spread);
     path->setFocusLimits (limitsInPlay (*present.model, description, asWritten.get()));
     isFocusNew = false;
 
@@ -30,13 +31,13 @@ void Session::requestDesigns (const std::vector<int>& firstNotes)
     }
 
     deviceFollowing.noteDesigned();
-    path->worker().request ({ fingers.empty() ? deviceFollowing.driven (designedModel) : designedModel,
-                              description,
-                              notePlaces(),
-                              firstNotes,
-                              { Reconstruction::bandLimited, rate },
-                              widen(),
-                              std::move (asWritten) });
+    path->foci().request ({ fingers.empty() ? deviceFollowing.driven (designedModel) : designedModel,
+                            description,
+                            notePlaces(),
+                            firstNotes,
+                            { Reconstruction::bandLimited, rate },
+                            widen(),
+                            std::move (asWritten) });
 }
 
 /** The design that was written for the focus, while the parameters say what it says. */
@@ -63,7 +64,7 @@ std::function<WideModel()> Session::widen() const
 /** Under fingers the drift is not known. */
 bool Session::hasDrifted() const
 {
-    return path != nullptr && fingers.empty() && deviceFollowing.needsDesigns (path->worker().progress().isDone());
+    return path != nullptr && fingers.empty() && deviceFollowing.needsDesigns (path->foci().progress().isDone());
 }
 
 std::vector<std::pair<double, double>> Session::notePlaces() const
@@ -79,7 +80,7 @@ std::vector<std::pair<double, double>> Session::notePlaces() const
 Eigen::MatrixXd Session::probeShapes() const
 {
     const auto places = probePlaces (focus->description, settings, present.model->surface);
-    Eigen::MatrixXd shapes (AudioPath::probes, loadedModel->coordinates());
+    Eigen::MatrixXd shapes (probes, loadedModel->coordinates());
     const auto& surface = present.model->surface;
 
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -91,20 +92,20 @@ Eigen::MatrixXd Session::probeShapes() const
     return shapes;
 }
 
-void Session::forwardTouches (const std::vector<Touch>& touches)
+void Session::designFired (const std::vector<FiredFocus>& fired)
 {
     if (path == nullptr)
         return;
 
     // The path is the entry's: it outlives the path's thread, which calls back.
-    for (const auto& touch : touches)
-        path->worker().touch (
-            touch.x, touch.y,
-            [&target = entry, touch] (int place)
+    for (const auto& each : fired)
+        path->foci().touch (
+            each.x, each.y,
+            [&target = entry, each] (int place)
             {
                 if (place >= 0)
-                    target.fire (place, touch.amplitude, touch.askedAt);
+                    target.fire (place, each.amplitude, each.askedAt);
             },
-            [&target = entry, touch] { return target.stops().now() == touch.askedAt; });
+            [&target = entry, each] { return target.stops().now() == each.askedAt; });
 }
 } // namespace antinode

@@ -17,21 +17,14 @@ namespace
 constexpr int maximumMutes = 64;
 constexpr double farthest = 1e12; // of a parameter: each cuts it to its own range
 
-const char* schemaOf (SessionRole role)
-{
-    return role == SessionRole::foci      ? "antinode.state/1"
-           : role == SessionRole::fingers ? "antinode.touch/1"
-                                          : "antinode.plate/1";
-}
-
-std::vector<std::string_view> keysOf (SessionRole role)
+std::vector<std::string_view> keysOf (const SessionRole& role)
 {
     std::vector<std::string_view> keys { "schema", "device", "parameters" };
 
-    if (role != SessionRole::plate)
+    if (role.keepsFocus)
         keys.insert (keys.end(), { "focus", "design", "tracking" });
 
-    if (role == SessionRole::foci)
+    if (role.isOfFoci)
         keys.insert (keys.end(), { "muted_ceramics", "open_graph" });
 
     return keys;
@@ -84,9 +77,9 @@ std::shared_ptr<const FocusDocument> readFocus (const JsonObject& state, const n
 } // namespace
 
 /** Documents go in as they are: a written design has megabytes, and hosts ask often. */
-std::string stateToText (const SessionState& state, SessionRole role)
+std::string stateToText (const SessionState& state, const SessionRole& role)
 {
-    auto text = R"({"schema":")" + std::string (schemaOf (role)) + R"(","device":)" + state.device->text;
+    auto text = R"({"schema":")" + std::string (role.schema) + R"(","device":)" + state.device->text;
 
     // What is as ever is left out: such a state loads in versions that do not know of it.
     if (state.focus != nullptr)
@@ -97,7 +90,7 @@ std::string stateToText (const SessionState& state, SessionRole role)
 
     text += R"(,"parameters":)" + nlohmann::ordered_json (state.parameters).dump();
 
-    if (role == SessionRole::foci)
+    if (role.isOfFoci)
         text += R"(,"muted_ceramics":)" + mutesToText (state.mutes);
 
     if (state.isGraphOpen)
@@ -109,15 +102,15 @@ std::string stateToText (const SessionState& state, SessionRole role)
     return text + "}";
 }
 
-SessionState readState (std::string_view text, SessionRole role)
+SessionState readState (std::string_view text, const SessionRole& role)
 {
     const auto json = parseJson (text, "state");
     const JsonValue value (json, "state");
-    value.requireSchema (schemaOf (role));
+    value.requireSchema (role.schema);
     const auto state = value.object (keysOf (role));
     const auto device = state.required ("device"), parameters = state.required ("parameters");
     const auto openGraph = state.optional ("open_graph"), following = state.optional ("tracking");
-    const auto hasFocus = role == SessionRole::foci || state.has ("focus") || state.has ("design");
+    const auto hasFocus = role.isOfFoci || state.has ("focus") || state.has ("design");
 
     if (! device.isObject())
         device.fail ("must be a device");
@@ -125,7 +118,7 @@ SessionState readState (std::string_view text, SessionRole role)
     return { std::make_shared<const DeviceDocument> (readDeviceDocument (json["device"], "state: device")),
              hasFocus ? readFocus (state, json) : nullptr,
              readParameters (parameters, json["parameters"]),
-             role == SessionRole::foci ? readMutes (state.required ("muted_ceramics")) : 0,
+             role.isOfFoci ? readMutes (state.required ("muted_ceramics")) : 0,
              openGraph && openGraph->boolean(),
              following ? followingFromJson (*following) : FollowingSettings() };
 }

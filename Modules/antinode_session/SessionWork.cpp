@@ -22,44 +22,13 @@ namespace
 {
 constexpr double traceEntriesPerSecond = 2000;
 constexpr double usualRate = 48000; // Hz, before a host says it
-
-/** @throws InputError  where it cannot be solved, or has nothing that plays */
-std::shared_ptr<const ModalModel> solvedForFoci (const DeviceDocument& document)
-{
-    auto model = std::make_shared<const ModalModel> (solveDevice (document.description, {}, true));
-
-    if (model->actuators() == 0)
-        throw InputError ("device '" + document.description.name + "'", "has no ceramics; nothing can be played");
-
-    return model;
-}
 } // namespace
 
-void Session::run()
+void Session::work()
 {
-    const WatchScope scope ([this] { return ! isStopping; });
-
-    try
-    {
-        for (std::uint64_t round = 0; awaitRound (round);)
-        {
-            step (take());
-            waitForDesigns();
-            const auto now = path != nullptr ? path->worker().progress() : DesignProgress {};
-            setProgress (now);
-            finish (round);
-
-            if (std::exchange (toldEnd, now.endSeconds) != now.endSeconds)
-                owner.tell();
-        }
-    }
-    catch (const Cancelled&)
-    {
-        // It is stopping.
-    }
-
-    deviceFollowing.stop();
-    entry.clear();
+    step (take());
+    waitForNotes();
+    setProgress (path != nullptr ? path->foci().progress() : DesignProgress {});
 }
 
 Session::Requests Session::take()
@@ -73,20 +42,8 @@ Session::Requests Session::take()
 
     asked.focus = nullptr;
     asked.choosesFocus = asked.isInsertionNew = asked.isOrderNew = false;
-    asked.touches.clear();
+    asked.fired.clear();
     return taken;
-}
-
-void Session::waitForDesigns()
-{
-    std::optional<std::vector<int>> places;
-    {
-        const std::lock_guard lock (mutex);
-        places = awaited;
-    }
-
-    if (places && path != nullptr)
-        path->worker().waitFor (*places);
 }
 
 void Session::setProgress (const DesignProgress& progress)
@@ -95,7 +52,7 @@ void Session::setProgress (const DesignProgress& progress)
     designs = progress;
 }
 
-/** One round: what was loaded, then what the parameters say, then what was touched. */
+/** One round: what was loaded, then what the parameters say, then what was fired. */
 void Session::step (const Requests& wanted)
 {
     takeDocuments (wanted);
@@ -124,7 +81,7 @@ void Session::step (const Requests& wanted)
             publish();
     }
 
-    forwardTouches (wanted.touches);
+    designFired (wanted.fired);
 }
 
 void Session::takeDocuments (const Requests& wanted)
@@ -138,14 +95,14 @@ void Session::takeDocuments (const Requests& wanted)
     if (! wanted.hasDevice)
         return;
 
-    solve (solvedForFoci,
-           [&]
-           {
-               deviceFollowing.forget();
+    solve (
+        [&]
+        {
+            deviceFollowing.forget();
 
-               if (wanted.choosesFocus && takeFocus)
-                   chooseFocus();
-           });
+            if (wanted.choosesFocus && takeFocus)
+                chooseFocus();
+        });
 }
 
 /** For a device that came without a focus: the focus of the device before may lie on an edge of this one. */
@@ -227,14 +184,13 @@ void Session::buildPath()
     try
     {
         // Under fingers the modes are others: the follower says what it cannot follow.
-        auto made =
-            std::make_unique<AudioPath> (loadedModel, rate, probeShapes(), graph,
-                                         deviceFollowing.listen (fingers.empty() ? present.model : loadedModel, rate));
+        auto made = std::make_unique<InstrumentPath> (
+            loadedModel, rate, InstrumentNodes { {}, graph, {}, probeShapes() },
+            deviceFollowing.listen (fingers.empty() ? present.model : loadedModel, rate));
         path = made.get();
-        entry.probeTrace().prepare (std::max (1, static_cast<int> (rate / traceEntriesPerSecond)));
+        entry.meters().trace.prepare (std::max (1, static_cast<int> (rate / traceEntriesPerSecond)));
         entry.give (std::move (made));
-        ringing =
-            static_cast<double> (path->lateSamples()) / rate + std::log (1000) / decayRates (*loadedModel).minCoeff();
+        ringing = static_cast<double> (path->lateSamples()) / rate + path->ringingSeconds();
     }
     catch (const std::exception& failure)
     {

@@ -18,44 +18,46 @@ namespace
 {
 constexpr double usualTouchRate = 48000; // Hz, before a host says its own
 
-/** With the static share of the modes beyond: without it the points between which filters tell apart would leak.
-    @throws InputError  where it cannot be solved, or has nothing that moves it */
-std::shared_ptr<const ModalModel> solvedForTouch (const DeviceDocument& document)
+NoteDelays noteDelays (double rate)
 {
-    auto model = std::make_shared<const ModalModel> (solveDeviceWithStaticShare (document.description, {}, true));
-    const auto where = "device '" + document.description.name + "'";
+    NoteDelays delays {};
 
-    if (model->actuators() == 0)
-        throw InputError (where, "has no ceramics, so nothing can move it");
+    for (std::size_t i = 0; i < delays.size(); ++i)
+        delays[i] = filterTiming ({}, FilterDesigner::filterSettings (rate, i)).latencySamples();
 
-    requireRealModes (*model, "filters for fingers");
+    return delays;
+}
+
+} // namespace
+
+/** With the static share of the modes beyond: without it the points between which filters tell apart would leak. */
+ModalModel TouchSession::solvedModel (const DeviceDescription& device) const
+{
+    auto model = solveDeviceWithStaticShare (device, {}, true);
+    requireRealModes (model, "filters for fingers");
     return model;
 }
-} // namespace
 
 TouchSession::TouchSession (DeviceDocument device, std::function<TouchSettings()> readSettings,
                             std::function<void()> onChange)
-    : DeviceRounds (std::move (device), std::move (readSettings), std::move (onChange)),
+    : InstrumentSession (std::move (device), std::move (readSettings), std::move (onChange)),
       threshold (findSkinThreshold ({}))
 {
 }
 
-void TouchSession::prepare (double sampleRate, int inputs)
+void TouchSession::prepare (const TouchFormat& wanted)
 {
-    preparedRate = sampleRate;
-    paths.reset();
-    stopCount.stop();
-    noteDelay.reset();
-    ask ({ sampleRate, inputs });
+    entry.prepare (wanted.sampleRate);
+    ask (wanted);
 }
 
 std::int64_t TouchSession::latencySamples (std::size_t latency) const
 {
-    const auto rate = preparedRate > 0 ? preparedRate.load() : usualTouchRate;
+    const auto rate = entry.sampleRate() > 0 ? entry.sampleRate() : usualTouchRate;
 
     try
     {
-        return filterTiming ({}, TouchDesigner::filterSettings (rate, latency)).latencySamples() + late;
+        return filterTiming ({}, FilterDesigner::filterSettings (rate, latency)).latencySamples() + late;
     }
     catch (const InputError&)
     {
@@ -66,35 +68,20 @@ std::int64_t TouchSession::latencySamples (std::size_t latency) const
 /** Notes wait as long as the filters take. */
 double TouchSession::tailSeconds (std::size_t latency) const
 {
-    const auto rate = preparedRate > 0 ? preparedRate.load() : usualTouchRate;
+    const auto rate = entry.sampleRate() > 0 ? entry.sampleRate() : usualTouchRate;
     const auto delay = static_cast<double> (latencySamples (latency)) / rate, lag = static_cast<double> (late) / rate;
     return std::max (lag + FilterSettings().length, delay + focusProgress().endSeconds) + ringing;
 }
 
-void TouchSession::run()
+void TouchSession::work()
 {
-    const WatchScope scope ([this] { return ! isStopping; });
+    do
+        step();
+    while (! isSettled());
 
-    try
-    {
-        for (std::uint64_t round = 0; awaitRound (round);)
-        {
-            do
-                step();
-            while (! isSettled());
-
-            waitForFoci();
-            finish (round);
-            compare();
-        }
-    }
-    catch (const Cancelled&)
-    {
-        // It is stopping.
-    }
-
-    deviceFollowing.stop();
-    paths.clear();
+    // Only who renders offline waits for foci: filters have to come soon.
+    if (waitForNotes())
+        serveFoci();
 }
 
 /** What the parameters say now. */
@@ -109,16 +96,16 @@ TouchSettings TouchSession::look()
 void TouchSession::step()
 {
     if (takeDocument())
-        solve (solvedForTouch,
-               [this]
-               {
-                   playedDevice = present.device;
-                   deviceFollowing.forget();
-               });
+        solve (
+            [this]
+            {
+                playedDevice = present.device;
+                deviceFollowing.forget();
+            });
 
     takeAmplifiers();
     takeFollowing();
-    paths.collect();
+    entry.collect();
 
     if (path != nullptr)
         path->banks().collect();
@@ -139,8 +126,7 @@ void TouchSession::step()
     if (path != nullptr)
         serveFoci();
 
-    if (const auto end = focusProgress().endSeconds; std::exchange (toldEnd, end) != end)
-        owner.tell();
+    tellOfEnd (focusProgress().endSeconds);
 
     if (path != nullptr && designedFor != settings)
         design();
@@ -157,15 +143,19 @@ void TouchSession::buildPath()
 
     try
     {
-        auto made = std::make_unique<TouchPath> (present.model, format.inputs, TrackBand {},
-                                                 TouchDesigner::filterSettings (format.sampleRate, settings.latency),
-                                                 threshold, deviceFollowing.listen (present.model, format.sampleRate));
+        const auto rate = format.sampleRate;
+        InstrumentNodes nodes;
+        nodes.filters =
+            std::make_unique<FilterNode> (static_cast<int> (present.model->actuators()), format.inputs, TrackBand {},
+                                          FilterDesigner::filterSettings (rate, settings.latency), threshold);
+        auto made = std::make_unique<InstrumentPath> (present.model, rate, std::move (nodes),
+                                                      deviceFollowing.listen (present.model, rate), noteDelays (rate));
         makeDesigner();
         path = made.get();
         isPathNew = true;
-        ringing = std::log (1000) / decayRates (*present.model).minCoeff();
+        ringing = made->ringingSeconds();
         late = made->lateSamples();
-        paths.give (std::move (made));
+        entry.give (std::move (made));
     }
     catch (const std::exception& failure)
     {
@@ -174,42 +164,4 @@ void TouchSession::buildPath()
 
     publish();
 }
-
-void TouchSession::waitUntilSettled (std::span<const FocusEvent> notes)
-{
-    const auto await = [this] (std::optional<std::vector<int>> awaited)
-    {
-        const std::lock_guard lock (mutex);
-        awaitedNotes = std::move (awaited);
-    };
-    std::vector<int> numbers { spotNote };
-
-    for (const auto& event : notes)
-        if (event.kind == FocusEventKind::trigger)
-            numbers.push_back (event.place);
-
-    await (std::move (numbers));
-    DeviceRounds::waitUntilSettled();
-    await ({});
-}
-
-template <typename Sample>
-void TouchSession::process (const AudioBlock<Sample>& block, const TouchControls& controls)
-{
-    if (auto* const current = paths.current (preparedRate, block.count))
-    {
-        fullScale.store (current->model().fullScaleVoltage, std::memory_order_relaxed);
-        auto now = controls;
-        now.notes = foci.notes();
-        const auto stop = stopCount.now();
-        now.stops = std::exchange (playedStop, stop) != stop;
-        current->process (block, now, noteDelay, paths.isLeaving(), levels, fingerLevels);
-        return;
-    }
-
-    block.silence();
-}
-
-template void TouchSession::process (const AudioBlock<float>&, const TouchControls&);
-template void TouchSession::process (const AudioBlock<double>&, const TouchControls&);
 } // namespace antinode

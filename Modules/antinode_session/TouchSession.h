@@ -1,13 +1,9 @@
 #pragma once
 
-#include "DeviceFollowing.h"
-#include "DeviceRounds.h"
+#include "FilterDesigner.h"
 #include "FingerMovement.h"
-#include "PathExchange.h"
-#include "StopCount.h"
-#include "TouchDesigner.h"
-#include "TouchFoci.h"
-#include "TouchPath.h"
+#include "InstrumentSession.h"
+#include "NoteFoci.h"
 
 #include <antinode_felt/SkinThreshold.h>
 
@@ -39,7 +35,7 @@ struct TouchSnapshot
     double progress = 0;         ///< Of them, 0 to 1.
     std::string designError;     ///< Why there are none: then those before play on.
     TouchSettings playedFingers; ///< Where the fingers were when the filters that play were designed.
-    std::array<std::shared_ptr<const TouchDesign>, touchLatencies.size()>
+    std::array<std::shared_ptr<const FilterDesign>, touchLatencies.size()>
         designs; ///< Of the present places, by latency; none: not made yet.
 };
 
@@ -47,7 +43,7 @@ struct TouchSnapshot
 struct TouchFormat
 {
     double sampleRate = 0; ///< Hz; 0 before the first preparation.
-    int inputs = 0;
+    int inputs = 0;        ///< 1 to mostFingers.
 
     bool operator== (const TouchFormat&) const = default;
 };
@@ -56,32 +52,17 @@ struct TouchFormat
    thread of its own looks at the parameters every few milliseconds, solves, builds and designs; paths and filters go to
    the audio thread by one atomic exchange each; and nothing here waits longer than a moment for that thread.
    SessionThread makes it, for it lasts as long as its thread. */
-class TouchSession : public DeviceRounds<TouchSnapshot, TouchSettings, TouchFormat>
+class TouchSession : public InstrumentSession<TouchSnapshot, TouchSettings, TouchFormat>
 {
 public:
     /** Starts with solving. @param readSettings, onChange  as DeviceRounds [worker] */
     TouchSession (DeviceDocument, std::function<TouchSettings()> readSettings, std::function<void()> onChange);
 
     /** Forgets what has come in, and asks for the path of a sample rate. Waits for it, but only a moment. Nothing may
-       be processing. @param inputs  1 to mostFingers [worker] */
-    void prepare (double sampleRate, int inputs);
+       be processing. [worker] */
+    void prepare (const TouchFormat&);
 
-    /** Plays a block, or silence where there is no path yet. [audio thread] allocates nothing, locks nothing */
-    template <typename Sample>
-    void process (const AudioBlock<Sample>&, const TouchControls&);
-
-    /** Fades the foci of notes out with the next block, and voids those that wait for their time. Inputs play on.
-        [any] */
-    void stopAll() { stopCount.stop(); }
-
-    /** The stops so far: by stopAll() and by prepare(). [any] */
-    StopCount& stops() { return stopCount; }
-
-    /** Waits until all that was loaded is taken up, and filters are designed for what the parameters say, and the focus
-        at its own place and at those of these notes. One caller at a time. [any but a real-time audio thread] */
-    void waitUntilSettled (std::span<const FocusEvent> notes = {});
-
-    /** What notes play on top of the tracks, TouchFoci; none: nothing. Returns at once. [any but the audio thread] */
+    /** What notes play on top of the tracks, NoteFoci; none: nothing. Returns at once. [any but the audio thread] */
     void loadFocus (std::shared_ptr<const FocusDocument> focus) { foci.load (std::move (focus)); }
     std::shared_ptr<const FocusDocument> focus() const { return foci.focus(); }
 
@@ -95,15 +76,7 @@ public:
         nothing else to do. [any] */
     void setComparing (bool shouldCompare) { isComparing = shouldCompare; }
 
-    /** What follows the drift of the device, and what is known: another sensor makes another path, and filters and foci
-        are designed for the device as it is. Docs/Design/session.md [any but the audio thread] */
-    FollowingRequests& following() const { return *followingRequests; }
-
-    /** The voltage of a sample of 1.0 in the last block, V; 0 before the first one that plays. [any] */
-    double fullScaleVolts() const { return fullScale; }
-
-    LevelMeters& meters() { return levels; }
-    FingerMeters& fingerMeters() { return fingerLevels; }
+    FingerMeters& fingerMeters() { return entry.meters().fingers; }
 
     /** By how many samples motions lag their inputs; that of 48 kHz before the first preparation. [any] */
     std::int64_t latencySamples (std::size_t latency) const;
@@ -112,10 +85,10 @@ public:
        later, and 60 dB of the slowest mode's decay, s. [any but the audio thread] */
     double tailSeconds (std::size_t latency) const;
 
-    /** Works until it is stopped; then no path is left. Nothing may be processing by then. [session's thread] */
-    void run();
-
 private:
+    void work() override;
+    void rest() override { compare(); }
+    ModalModel solvedModel (const DeviceDescription&) const override;
     TouchSettings look();
     void step();
     void serveFoci();
@@ -131,35 +104,21 @@ private:
     void makeDesign();
     void play (std::unique_ptr<const FilterBank>, const TouchSettings& places);
     void compare();
-    void waitForFoci();
     bool hasOtherPath();
     bool hasNews();
 
     std::atomic<bool> isComparing { false };
-    std::optional<std::vector<int>> awaitedNotes;       ///< Under the lock: somebody waits for their foci.
     std::shared_ptr<const DeviceDocument> playedDevice; ///< The model's: what was asked for may have no model. Of the
                                                         ///< session's thread, as the next lines.
     std::optional<TouchSettings> designedFor; ///< Also where that failed: nobody shall try it again and again.
     TouchFormat format;
     SkinThreshold threshold;
-    std::shared_ptr<FollowingRequests> followingRequests = std::make_shared<FollowingRequests>();
-    DeviceFollowing deviceFollowing { followingRequests };
-    std::unique_ptr<TouchDesigner> designer;
+    std::unique_ptr<FilterDesigner> designer;
     bool isRetuned = false; ///< Whether it is for a device that has drifted since the filters that play were made.
     FingerMovement movement;
     FingerMovement::Clock::duration quickTime = std::chrono::milliseconds (10); ///< That quick filters last took.
-    TouchFoci foci;
-    double toldEnd = 0;        ///< s, of the foci: the tail that the owner knows.
-    bool isPathNew = false;    ///< Whether no focus was asked for it yet.
-    TouchPath* path = nullptr; ///< The newest one, which `paths` owns.
-
-    StopCount stopCount;
-    std::uint64_t playedStop = 0; ///< Of the audio thread: the newest one.
-    PathExchange<TouchPath> paths;
-    EventDelay noteDelay; ///< Of the audio thread.
-    LevelMeters levels;
-    FingerMeters fingerLevels;
-    std::atomic<double> preparedRate { 0 }, ringing { 1 }, fullScale { 0 };
+    NoteFoci foci;
+    bool isPathNew = false;               ///< Whether no focus was asked for it yet.
     std::atomic<std::int64_t> late { 0 }; ///< Samples by which outputs come later where lags of ceramics are undone.
 };
 } // namespace antinode

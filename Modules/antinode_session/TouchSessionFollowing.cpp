@@ -22,7 +22,7 @@ void TouchSession::takeFollowing()
     if (present.model != nullptr && followingRequests->settings().isOn())
     {
         const auto focus = foci.focus();
-        const auto loads = restingFingers (touchedBy (present.model->surface, settings, format.inputs));
+        const auto loads = restingFingers (waveformsFor (present.model->surface, settings, format.inputs));
         const auto areLoads = ! loads.empty() || (focus != nullptr && ! focus->description.fingers.empty());
         deviceFollowing.setHindrance (areLoads ? "Fingers load the surface and change its modes." : "");
     }
@@ -46,46 +46,24 @@ void TouchSession::takeDrift()
 void TouchSession::makeDesigner()
 {
     designer =
-        std::make_unique<TouchDesigner> (deviceFollowing.driven (present.model), format.sampleRate, format.inputs);
+        std::make_unique<FilterDesigner> (deviceFollowing.driven (present.model), format.sampleRate, format.inputs);
     deviceFollowing.noteDesigned();
 }
 
 /** Notes that somebody waits for are designed for the fingers as they are, others where fingers rest. */
 void TouchSession::serveFoci()
 {
-    auto areNotesAwaited = false;
-    {
-        const std::lock_guard lock (mutex);
-        areNotesAwaited = awaitedNotes && awaitedNotes->size() > 1;
-    }
-
+    const auto notes = awaited();
+    const auto areNotesAwaited = notes && notes->size() > 1;
     const auto& places = areNotesAwaited ? settings : movement.rest();
     const FociSurface surface { playedDevice,
                                 amplifiers,
-                                restingFingers (touchedBy (present.model->surface, places, format.inputs)),
+                                restingFingers (waveformsFor (present.model->surface, places, format.inputs)),
                                 areNotesAwaited || movement.restedFor (FingerMovement::Clock::now()) >= focusRest,
                                 deviceFollowing.device (present.model.get()),
                                 deviceFollowing.shift() };
     foci.serve (*path, surface, std::exchange (isPathNew, false),
                 [this, areNotesAwaited] { return areNotesAwaited || owner.settings (settings) == settings; });
-}
-
-/** Only who renders offline waits for foci: filters have to come soon. */
-void TouchSession::waitForFoci()
-{
-    std::optional<std::vector<int>> awaited;
-    {
-        const std::lock_guard lock (mutex);
-        awaited = awaitedNotes;
-    }
-
-    if (! awaited || path == nullptr || foci.notes() == NoteMeaning::nothing)
-        return;
-
-    for (auto& note : *awaited)
-        note = bankPlaceOf (note, foci.notes() == NoteMeaning::spotOnly);
-
-    path->foci().waitFor (*awaited);
-    serveFoci();
+    entry.setNotes (foci.notes());
 }
 } // namespace antinode

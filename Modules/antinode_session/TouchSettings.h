@@ -1,10 +1,6 @@
 #pragma once
 
-#include "FingerTrace.h"
-#include "PeakMeters.h"
-
 #include <array>
-#include <atomic>
 #include <cstddef>
 
 namespace antinode
@@ -29,6 +25,9 @@ enum class FingerLoad
     firm
 };
 
+/** What kinds of loads are called; none: empty. */
+inline constexpr std::array fingerLoadWords { "", "light", "medium", "firm" };
+
 /** A finger as the parameters of a host say it. */
 struct FingerSettings
 {
@@ -49,34 +48,5 @@ struct TouchSettings
     std::size_t latency = 0; ///< Index in touchLatencies.
 
     bool operator== (const TouchSettings&) const = default;
-};
-
-/** What notes play. */
-enum class NoteMeaning
-{
-    nothing,
-    spread,  ///< Each note the focus at a place of its own.
-    spotOnly ///< All notes the focus at its own place.
-};
-
-/** What takes effect at once. */
-struct TouchControls
-{
-    bool isArmed = true;                       ///< False: all voltages ramp to 0.
-    std::array<double, mostFingers> levels {}; ///< m that 1.0 of an input moves its finger; 0: silent.
-    double focusGain = 1;                      ///< Factor of the foci that begin from now on, 0 to 1.
-    std::size_t latency = 0;                   ///< Index in touchLatencies: by how much foci wait for the filters.
-    NoteMeaning notes = NoteMeaning::nothing;  ///< Set by the session, as the next line.
-    bool stops = false;                        ///< Foci that play or wait end before the block's notes.
-};
-
-/** Levels of the audio thread for other threads. */
-struct FingerMeters
-{
-    PeakMeters<mostFingers> inputs;              ///< Of full scale.
-    PeakMeters<mostFingers> displacements;       ///< m within the band: what is asked for.
-    PeakMeters<mostFingers> felt;                ///< Times the threshold of skin.
-    std::array<FingerTrace, mostFingers> traces; ///< m within the band, sample by sample of the filters.
-    std::atomic<double> traceRate { 0 };         ///< Hz, of the traces; 0 before anything plays.
 };
 } // namespace antinode

@@ -2,12 +2,11 @@
 
 #include "PlateParameters.h"
 
-#include <Processor/DeviceProcessor.h>
+#include <Processor/RoleProcessor.h>
 
 #include <antinode_session/PlateSession.h>
 
 #include <algorithm>
-#include <functional>
 #include <memory>
 
 namespace antinode
@@ -16,7 +15,7 @@ namespace antinode
 
     The input bus "Voltages" has 1 to 64 channels, channel k for ceramic k, 1.0 = the device's full scale; the
     output bus "Probes" has 1 to 8, 1.0 = 1 m/s. Before a device is solved, and unprepared, the probes are silent. */
-class PlateProcessor : public DeviceProcessor
+class PlateProcessor : public RoleProcessor<PlateSession, PlateParameters>
 {
 public:
     static constexpr int maximumProbes = PlatePath::probes;
@@ -27,13 +26,10 @@ public:
     PlateProcessor (int ceramics, WrapperType wrapper);
     ~PlateProcessor() override;
 
-    PlateSession& session() const { return **surface; }
-    PlateParameters& parameters() { return *controls; }
-
     /** Loads a device. [message thread] */
     void load (std::shared_ptr<const DeviceDocument>);
 
-    SessionState state() const override { return { device(), {}, controls->values() }; }
+    SessionState state() const override { return { device(), {}, parameters().values() }; }
     void setState (const SessionState&, bool isRestored) override;
 
     /** How many probes have an output. [any] */
@@ -45,16 +41,6 @@ public:
     bool hasEditor() const override { return true; }
 
 private:
-    void prepareSession (double sampleRate) override { session().prepare (sampleRate); }
-    ParameterSet& parameterSet() const override { return *controls; }
     Playing playing() const override;
-    void waitUntilSettled (std::span<const FocusEvent>) override { session().waitUntilSettled(); }
-    void playBlock (const AudioBlock<float>&, bool isBypassed) override;
-    void playBlock (const AudioBlock<double>&, bool isBypassed) override;
-    template <typename Sample>
-    void playSurface (const AudioBlock<Sample>&, bool isBypassed);
-
-    std::unique_ptr<PlateParameters> controls;
-    std::unique_ptr<SessionThread<PlateSession>> surface;
 };
 } // namespace antinode

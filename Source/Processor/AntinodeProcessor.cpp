@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 namespace antinode
@@ -19,30 +20,20 @@ AntinodeProcessor::AntinodeProcessor (int ceramics, WrapperType wrapper)
 }
 
 AntinodeProcessor::AntinodeProcessor (int ceramics, WrapperType wrapper, const SessionState& first)
-    : DeviceProcessor ({ {}, { "Ceramics", ceramics }, true, true }, wrapper, SessionRole::foci, first.device),
+    : RoleProcessor ({ {}, { "Ceramics", ceramics }, true, true }, wrapper, SessionRole::foci, first.device),
       loadedFocus (first.focus), touchedFocus (first.focus)
 {
-    controls = std::make_unique<Parameters> (*this, [this]
-                                             { return player != nullptr ? session().snapshot()->model : nullptr; });
-
     if (wrapper == wrapperType_VST3)
-        controls->stepReports().add (addStop());
+        parameters().stepReports().add (addStop());
 
-    controls->setFocus (settingsFromFocus (loadedFocus->description, deviceExtent (first.device->description), {}));
-    player = std::make_unique<SessionThread<Session>> (
-        *first.device, *first.focus,
-        [this]
-        {
-            reportSteps();
-            return controls->settings();
-        },
-        [this] { post(); }, [this] (const auto& chosen, const auto& before) { return takeFocus (chosen, before); });
-    begin();
+    parameters().setFocus (settingsFromFocus (loadedFocus->description, deviceExtent (first.device->description), {}));
+    start (std::tuple { *first.device, *first.focus },
+           [this] (const auto& chosen, const auto& before) { return takeFocus (chosen, before); });
 }
 
 AntinodeProcessor::~AntinodeProcessor()
 {
-    end();
+    close();
 }
 
 void AntinodeProcessor::load (std::shared_ptr<const DeviceDocument> newDevice,
@@ -65,10 +56,10 @@ void AntinodeProcessor::load (std::shared_ptr<const DeviceDocument> newDevice,
         mutedCeramics = 0;
 
     if (newDevice != nullptr && newDevice->description.requiresArming)
-        controls->arm().setValueNotifyingHost (0);
+        parameters().arm().setValueNotifyingHost (0);
 
-    controls->setFocus (
-        settingsFromFocus (focus()->description, deviceExtent (device()->description), controls->settings()));
+    parameters().setFocus (
+        settingsFromFocus (focus()->description, deviceExtent (device()->description), parameters().settings()));
     session().load (std::move (newDevice), std::move (newFocus));
 }
 
@@ -83,8 +74,8 @@ bool AntinodeProcessor::takeFocus (const std::shared_ptr<const FocusDocument>& c
 
         loadedFocus = touchedFocus = chosen;
     }
-    controls->setFocus (
-        settingsFromFocus (chosen->description, deviceExtent (device()->description), controls->settings()));
+    parameters().setFocus (
+        settingsFromFocus (chosen->description, deviceExtent (device()->description), parameters().settings()));
     post();
     return true;
 }
@@ -104,7 +95,7 @@ std::shared_ptr<const FocusDocument> AntinodeProcessor::keptFocus() const
 SessionState AntinodeProcessor::state() const
 {
     return {
-        device(), keptFocus(), controls->values(), mutes(), session().isGraphOpen(), session().following().settings()
+        device(), keptFocus(), parameters().values(), mutes(), session().isGraphOpen(), session().following().settings()
     };
 }
 
@@ -126,7 +117,7 @@ void AntinodeProcessor::setState (const SessionState& wanted, bool isRestored)
     if (isRestored && wanted.device->description.requiresArming)
         values["arm"] = 0;
 
-    controls->setValues (values);
+    parameters().setValues (values);
     mutedCeramics = wanted.mutes;
     session().setGraphOpen (wanted.isGraphOpen);
     session().following().setSettings (wanted.following);
@@ -199,22 +190,4 @@ std::vector<UserMessage> AntinodeProcessor::ownMessages() const
     return { { Urgency::warning, session().snapshot()->isSolving ? std::string() : session().progress().liveError } };
 }
 
-template <typename Sample>
-void AntinodeProcessor::playFoci (const AudioBlock<Sample>& block, bool isBypassed)
-{
-    auto now = controls->controls();
-    now.isArmed = now.isArmed && ! isBypassed;
-    now.mutes = mutedCeramics;
-    session().process (block, now);
-}
-
-void AntinodeProcessor::playBlock (const AudioBlock<float>& block, bool isBypassed)
-{
-    playFoci (block, isBypassed);
-}
-
-void AntinodeProcessor::playBlock (const AudioBlock<double>& block, bool isBypassed)
-{
-    playFoci (block, isBypassed);
-}
 } // namespace antinode

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "DeviceProcessor.h"
 #include "Parameters.h"
+#include "RoleProcessor.h"
 
 #include <antinode_session/Session.h>
 
@@ -17,7 +17,7 @@ namespace antinode
     The input bus "Sensor" has one channel, or none: what listens to the surface. The main output bus "Ceramics" has 1
    to 64 channels, channel k for ceramic k, 1.0 = the device's full scale; the bus "Monitor" has the velocity at the
    probes, 1.0 = 1 m/s. */
-class AntinodeProcessor : public DeviceProcessor
+class AntinodeProcessor : public RoleProcessor<Session, Parameters>
 {
 public:
     /** @param ceramics  channels of the main bus at first, 1 to 64
@@ -25,9 +25,6 @@ public:
         [message thread] */
     AntinodeProcessor (int ceramics, juce::AudioProcessor::WrapperType wrapper);
     ~AntinodeProcessor() override;
-
-    Session& session() const { return **player; }
-    Parameters& parameters() { return *controls; }
 
     /** Loads a device, a focus, or both, and sets the parameters to the focus. Another device alone gets a focus that
        suits it as soon as it is solved. [message thread] */
@@ -68,24 +65,16 @@ public:
 
 private:
     AntinodeProcessor (int ceramics, WrapperType wrapper, const SessionState& first);
-    void prepareSession (double sampleRate) override { session().prepare (sampleRate); }
-    ParameterSet& parameterSet() const override { return *controls; }
     Playing playing() const override;
     std::vector<UserMessage> ownMessages() const override;
-    void waitUntilSettled (std::span<const FocusEvent> notes) override { session().waitUntilSettled (notes); }
-    void playBlock (const AudioBlock<float>&, bool isBypassed) override;
-    void playBlock (const AudioBlock<double>&, bool isBypassed) override;
-    template <typename Sample>
-    void playFoci (const AudioBlock<Sample>&, bool isBypassed);
+    void complete (PlayControls& now) const override { now.mutes = mutedCeramics; }
     std::shared_ptr<const FocusDocument> keptFocus() const;
     bool takeFocus (const std::shared_ptr<const FocusDocument>& chosen, const FocusDocument& before);
     void putDown (const std::vector<Finger>& own, const std::vector<Finger>& touching);
 
-    std::unique_ptr<Parameters> controls;
     std::atomic<std::uint64_t> mutedCeramics { 0 };
     std::shared_ptr<const FocusDocument> loadedFocus,
-        touchedFocus;                               ///< As it is kept, and with touches; under `documents`.
-    std::unique_ptr<SessionThread<Session>> player; ///< Ends first: its thread asks for all above.
+        touchedFocus; ///< As it is kept, and with touches; under `documents`.
 };
 
 /** The embedded demonstrator: the initial state. [worker] */

@@ -39,7 +39,7 @@ juce::AudioProcessor::BusesProperties DeviceProcessor::properties (const Buses& 
     return made;
 }
 
-DeviceProcessor::DeviceProcessor (const Buses& busesToHave, WrapperType wrapperToUse, SessionRole roleToPlay,
+DeviceProcessor::DeviceProcessor (const Buses& busesToHave, WrapperType wrapperToUse, const SessionRole& roleToPlay,
                                   std::shared_ptr<const DeviceDocument> first)
     : AudioProcessor (properties (busesToHave, wrapperToUse)),
       VST3Extensions (static_cast<juce::AudioProcessor&> (*this)), loadedDevice (std::move (first)),
@@ -97,7 +97,7 @@ void DeviceProcessor::setStateInformation (const void* data, int size)
 UserMessage DeviceProcessor::missingChannels (const ModalModel* model) const
 {
     const auto ceramics = model != nullptr ? static_cast<int> (model->actuators()) : 0;
-    const auto isInput = role == SessionRole::plate;
+    const auto isInput = role.takesVoltages;
     // Not the order of the channels: a host may be preparing us on another thread.
     const auto channels = getChannelCountOfBus (isInput, 0);
 

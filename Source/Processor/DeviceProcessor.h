@@ -24,7 +24,7 @@ namespace antinode
 {
 /** What all our plug-ins are to a host: buses whose channels have fixed wires, a device that is loaded and kept in the
     state, parameters whose texts are in its mm, a latency and a tail that may change. What becomes of samples is left
-   to those who derive from it, one for each SessionRole. The standalone program has them too. */
+   to RoleProcessor, one for each SessionRole. The standalone program has them too. */
 class DeviceProcessor : public juce::AudioProcessor, public VST3Extensions
 {
 public:
@@ -109,8 +109,8 @@ protected:
         const FollowingRequests* following = nullptr;
     };
 
-    /** @param role  of its states @param first  the device that it starts with [message thread] */
-    DeviceProcessor (const Buses&, WrapperType, SessionRole role, std::shared_ptr<const DeviceDocument> first);
+    /** @param role  of its states; lasts longer @param first  the device that it starts with [message thread] */
+    DeviceProcessor (const Buses&, WrapperType, const SessionRole& role, std::shared_ptr<const DeviceDocument> first);
 
     /** From now on the host is told of changes; to be called when all is made. [message thread] */
     void begin();
@@ -151,7 +151,7 @@ private:
 
     Buses buses;
     WrapperType wrapper;
-    SessionRole role;
+    const SessionRole& role;
     ChangeMessages changes { [this] { reportChanges(); } };
     std::vector<int> inputOrder, outputOrder; ///< Buffer channel of channel k; of outputs those of the monitor follow.
     std::size_t monitors = 0;                 ///< Channels.

@@ -3,6 +3,7 @@
 #include "ParameterSet.h"
 
 #include <antinode_session/FocusSettings.h>
+#include <antinode_session/PlayControls.h>
 #include <antinode_session/PlaySettings.h>
 
 #include <vector>

@@ -33,8 +33,8 @@ void TouchInput::place (const Touch& touch)
     }
 
     const auto result = session.fireAt (x, y, touch.amplitude);
-    outsideSurface += result == Session::TouchResult::outsideSurface ? 1 : 0;
-    notAccepted += result == Session::TouchResult::notAccepted ? 1 : 0;
+    outsideSurface += result == Session::FireResult::outsideSurface ? 1 : 0;
+    notAccepted += result == Session::FireResult::notAccepted ? 1 : 0;
 }
 
 void TouchInput::play (const Touch& touch)

@@ -11,7 +11,6 @@ namespace
 {
 constexpr double percent = 100;
 constexpr auto retryInterval = std::chrono::seconds (1);
-constexpr std::array loadNames { "", "light", "medium", "firm" }; // of FingerLoad
 
 void set (IntegerParameter& parameter, int value)
 {
@@ -172,10 +171,10 @@ void NetworkFingers::apply (const FingerMove& move)
     if (move.kind == FingerMove::Kind::move)
         return;
 
-    const auto kind = std::find (loadNames.begin(), loadNames.end(), wanted().finger);
+    const auto kind = std::find (fingerLoadWords.begin(), fingerLoadWords.end(), wanted().finger);
 
-    if (kind != loadNames.begin() && kind != loadNames.end())
-        set (*finger.load, static_cast<int> (kind - loadNames.begin()));
+    if (kind != fingerLoadWords.begin() && kind != fingerLoadWords.end())
+        set (*finger.load, static_cast<int> (kind - fingerLoadWords.begin()));
 
     const auto presence = static_cast<int> (move.finger) < inputs() ? FingerPresence::plays : FingerPresence::silent;
     set (*finger.presence, static_cast<int> (presence));

@@ -73,9 +73,9 @@ TouchSettings TouchParameters::settings() const
     return now;
 }
 
-TouchControls TouchParameters::controls() const
+PlayControls TouchParameters::controls() const
 {
-    TouchControls now;
+    PlayControls now;
     const auto decibels = outputGain->get();
     const auto factor = decibels <= quietest ? 0.0 : std::pow (10, decibels / 20);
 

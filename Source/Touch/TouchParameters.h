@@ -2,7 +2,7 @@
 
 #include <Processor/ParameterSet.h>
 
-#include <antinode_session/TouchSettings.h>
+#include <antinode_session/PlayControls.h>
 
 #include <array>
 
@@ -26,7 +26,7 @@ public:
     TouchSettings settings() const;
 
     /** What takes effect at once. [any] */
-    TouchControls controls() const;
+    PlayControls controls() const;
 
     const FingerParameters& finger (std::size_t index) const { return fingers[index]; }
     IntegerParameter& latency() const { return *chosenLatency; }

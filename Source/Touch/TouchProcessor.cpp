@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace antinode
@@ -32,28 +33,21 @@ int portFrom (double value)
 
 /** It starts with a plate that is solved quickly: fingers rest on plates. */
 TouchProcessor::TouchProcessor (int ceramics, WrapperType wrapper)
-    : DeviceProcessor ({ Bus { "Fingers", maximumFingers, maximumFingers }, { "Ceramics", ceramics }, true }, wrapper,
-                       SessionRole::fingers, deviceDocument ("aluminium-200x120"))
+    : RoleProcessor ({ Bus { "Fingers", maximumFingers, maximumFingers }, { "Ceramics", ceramics }, true }, wrapper,
+                     SessionRole::fingers, deviceDocument ("aluminium-200x120"))
 {
-    controls = std::make_unique<TouchParameters> (
-        *this, [this] { return player != nullptr ? session().snapshot()->model : nullptr; });
-
     if (wrapper == wrapperType_VST3)
-        controls->stepReports().add (addStop());
+        parameters().stepReports().add (addStop());
 
     touches = std::make_unique<NetworkFingers> (
-        *controls, [this] { return inputs(); }, [this] { session().stopAll(); });
-    player = std::make_unique<SessionThread<TouchSession>> (
-        *device(), [this] { return readSettings(); }, [this] { post(); });
-    begin();
+        parameters(), [this] { return inputs(); }, [this] { session().stopAll(); });
+    start (std::tuple { *device() });
 }
 
 TouchProcessor::~TouchProcessor()
 {
     touches->open ({ 0, 0, "127.0.0.1" }); // No touch stops a player that is gone.
-    end();
-    player.reset(); // It looks at touches.
-    touches.reset();
+    close();
 }
 
 void TouchProcessor::load (std::shared_ptr<const DeviceDocument> device)
@@ -61,7 +55,7 @@ void TouchProcessor::load (std::shared_ptr<const DeviceDocument> device)
     keep (device);
 
     if (device->description.requiresArming)
-        controls->arm().setValueNotifyingHost (0);
+        parameters().arm().setValueNotifyingHost (0);
 
     session().load (std::move (device));
 }
@@ -99,12 +93,12 @@ void TouchProcessor::setValues (const std::map<std::string, double>& wanted, con
         values["arm"] = 0;
 
     // Fingers that touch stay where they are.
-    const auto now = controls->values();
+    const auto now = parameters().values();
 
     for (const auto& key : touchedKeys ({ "x", "y", "state", "load" }))
         values[key] = now.at (key);
 
-    controls->setValues (values);
+    parameters().setValues (values);
     openPorts (wanted);
 }
 
@@ -125,7 +119,7 @@ std::vector<std::string> TouchProcessor::touchedKeys (std::initializer_list<cons
 /** Without touches: nobody would lift them where the state comes back. */
 std::map<std::string, double> TouchProcessor::values() const
 {
-    auto values = controls->values();
+    auto values = parameters().values();
     const auto ports = touches->wanted();
 
     for (const auto& key : touchedKeys ({ "state" }))
@@ -164,7 +158,7 @@ DeviceProcessor::Playing TouchProcessor::playing() const
 {
     const auto now = session().snapshot();
     return { now->model, now->error, session().meters().isMutedForBadNumbers(),
-             session().latencySamples (controls->settings().latency), &session().following() };
+             session().latencySamples (parameters().settings().latency), &session().following() };
 }
 
 std::vector<UserMessage> TouchProcessor::ownMessages() const
@@ -183,34 +177,15 @@ std::vector<UserMessage> TouchProcessor::ownMessages() const
     return messages;
 }
 
-template <typename Sample>
-void TouchProcessor::playFingers (const AudioBlock<Sample>& block, bool isBypassed)
-{
-    auto now = controls->controls();
-    now.isArmed = now.isArmed && ! isBypassed;
-    session().process (block, now);
-}
-
-void TouchProcessor::playBlock (const AudioBlock<float>& block, bool isBypassed)
-{
-    playFingers (block, isBypassed);
-}
-
-void TouchProcessor::playBlock (const AudioBlock<double>& block, bool isBypassed)
-{
-    playFingers (block, isBypassed);
-}
-
 /** A host is told of another latency, and a refused port is asked for again, as soon as the session has looked. */
-TouchSettings TouchProcessor::readSettings()
+TouchSettings TouchProcessor::look()
 {
-    const auto now = controls->settings();
+    const auto now = RoleProcessor::look();
     const auto isLatencyNew = lookedLatency.exchange (now.latency) != now.latency;
 
     if (touches->retryWhenDue() || isLatencyNew)
         post();
 
-    reportSteps();
     return now;
 }
 

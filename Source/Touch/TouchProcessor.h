@@ -3,17 +3,15 @@
 #include "NetworkFingers.h"
 #include "TouchParameters.h"
 
-#include <Processor/DeviceProcessor.h>
+#include <Processor/RoleProcessor.h>
 
 #include <antinode_session/TouchSession.h>
 
 #include <array>
 #include <atomic>
-#include <functional>
 #include <initializer_list>
 #include <map>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -25,7 +23,7 @@ namespace antinode
    k for ceramic k, 1.0 = the device's full scale; the input bus
    "Sensor" has one channel, or none: what listens to the surface. Before filters are designed, and unprepared, all
    voltages are 0. A device that has to be armed is disarmed when it is loaded or comes back. */
-class TouchProcessor : public DeviceProcessor
+class TouchProcessor : public RoleProcessor<TouchSession, TouchParameters>
 {
 public:
     static constexpr int maximumFingers = mostFingers;
@@ -38,9 +36,6 @@ public:
         [message thread] */
     TouchProcessor (int ceramics, WrapperType wrapper);
     ~TouchProcessor() override;
-
-    TouchSession& session() const { return **player; }
-    TouchParameters& parameters() { return *controls; }
 
     /** Touches by OSC and TUIO, whose ports the state keeps. None are open at first. */
     NetworkFingers& network() { return *touches; }
@@ -63,31 +58,23 @@ public:
     int inputs() const { return getChannelCountOfBus (true, 0); }
 
     const juce::String getName() const override { return "Antinode Touch"; }
-    double getTailLengthSeconds() const override { return session().tailSeconds (controls->settings().latency); }
+    double getTailLengthSeconds() const override { return session().tailSeconds (parameters().settings().latency); }
     void reset() override { session().stopAll(); }
     bool acceptsMidi() const override { return true; }
     juce::AudioProcessorEditor* createEditor() override;
     bool hasEditor() const override { return true; }
 
 private:
-    void prepareSession (double sampleRate) override { session().prepare (sampleRate, inputs()); }
-    ParameterSet& parameterSet() const override { return *controls; }
     Playing playing() const override;
     std::vector<UserMessage> ownMessages() const override;
-    void waitUntilSettled (std::span<const FocusEvent> notes) override { session().waitUntilSettled (notes); }
-    void playBlock (const AudioBlock<float>&, bool isBypassed) override;
-    void playBlock (const AudioBlock<double>&, bool isBypassed) override;
-    template <typename Sample>
-    void playFingers (const AudioBlock<Sample>&, bool isBypassed);
-    TouchSettings readSettings();
+    TouchFormat formatAt (double sampleRate) const override { return { sampleRate, inputs() }; }
+    TouchSettings look() override;
     std::map<std::string, double> values() const;
     void setValues (const std::map<std::string, double>&, const DeviceDocument&);
     void openPorts (const std::map<std::string, double>& values);
     std::vector<std::string> touchedKeys (std::initializer_list<const char*> names) const;
 
-    std::unique_ptr<TouchParameters> controls;
     std::unique_ptr<NetworkFingers> touches;
     std::atomic<std::size_t> lookedLatency { 0 }; ///< What the session saw last.
-    std::unique_ptr<SessionThread<TouchSession>> player;
 };
 } // namespace antinode

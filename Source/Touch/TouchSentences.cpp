@@ -59,7 +59,7 @@ std::string fociSentence (FociUnderFingers foci)
 }
 } // namespace
 
-std::optional<double> noiseVolts (const TouchSnapshot& snapshot, const TouchControls& controls, std::size_t latency)
+std::optional<double> noiseVolts (const TouchSnapshot& snapshot, const PlayControls& controls, std::size_t latency)
 {
     const auto& design = snapshot.designs[latency];
 
@@ -72,7 +72,7 @@ std::optional<double> noiseVolts (const TouchSnapshot& snapshot, const TouchCont
     return std::sqrt (powers.maxCoeff());
 }
 
-juce::String latencyVoltsText (const TouchSnapshot& snapshot, const TouchControls& controls)
+juce::String latencyVoltsText (const TouchSnapshot& snapshot, const PlayControls& controls)
 {
     juce::StringArray parts;
 

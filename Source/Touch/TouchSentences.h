@@ -13,8 +13,8 @@ std::vector<UserMessage> touchSentences (TouchProcessor&, const TouchSnapshot&);
 
 /** The voltage, V, of the ceramic with most where every finger that plays gets noise that fills the band and whose
     largest samples, three times its RMS, are 1.0; none where there are no filters for that latency yet. [any] */
-std::optional<double> noiseVolts (const TouchSnapshot&, const TouchControls&, std::size_t latency);
+std::optional<double> noiseVolts (const TouchSnapshot&, const PlayControls&, std::size_t latency);
 
 /** The same for all latencies, in words. [any] */
-juce::String latencyVoltsText (const TouchSnapshot&, const TouchControls&);
+juce::String latencyVoltsText (const TouchSnapshot&, const PlayControls&);
 } // namespace antinode

@@ -1,7 +1,7 @@
 #include <Support/SineBeam.h>
 
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_graph/StandardGraph.h>
+#include <antinode_graph/InstrumentGraph.h>
 
 #include <catch2/catch.hpp>
 
@@ -18,7 +18,7 @@ struct Played
 {
     double rate;
     std::shared_ptr<const ModalModel> model;
-    StandardGraph standard;
+    InstrumentGraph standard;
 
     Played (double rateToUse, double qualityFactor)
         : rate (rateToUse), model (std::make_shared<const ModalModel> (test::sineBeam (10, ceramics, qualityFactor)))
@@ -32,9 +32,11 @@ struct Played
         focus.modes.count = 3; // up to 1039 Hz, and 8 kHz can play them
         auto bank = std::make_unique<FocusBank>();
         bank->foci[0] = std::make_shared<const PlayableFocus> (designFocus (*model, focus, playback).program, playback);
-        standard = standardGraph (model, {}, shapesAt (*model, 0.03, 0));
+        InstrumentNodes nodes;
+        nodes.probeShapes = shapesAt (*model, 0.03, 0);
+        standard = instrumentGraph (model, std::move (nodes));
         standard.graph.prepare ({ rate, longestBlock });
-        standard.playerNode().player().handOver().give (std::move (bank));
+        standard.voiceNode().voices().handOver().give (std::move (bank));
     }
 
     /** The next samples, ceramics then the probe: (ceramics + 1) x count. */

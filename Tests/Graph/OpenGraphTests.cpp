@@ -1,8 +1,9 @@
 #include <Support/SineBeam.h>
 
+#include <antinode_engine/ForcePlayer.h>
 #include <antinode_engine/PlateModel.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_graph/StandardGraph.h>
+#include <antinode_graph/InstrumentGraph.h>
 
 #include <catch2/catch.hpp>
 
@@ -81,7 +82,7 @@ std::vector<FocusEvent> randomEvents (int count)
 }
 
 /** All outputs of a graph: voltages and the probe x samples. Halfway it gets another bank. */
-Eigen::MatrixXd played (StandardGraph graph, const std::vector<FocusEvent>& events, int block, int longestBlock = 64)
+Eigen::MatrixXd played (InstrumentGraph graph, const std::vector<FocusEvent>& events, int block, int longestBlock = 64)
 {
     graph.graph.prepare ({ rate, longestBlock });
     example().giveTo (graph.voiceNode().voices());
@@ -121,14 +122,21 @@ double difference (const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
     return (a - b).rowwise().lpNorm<Eigen::Infinity>().cwiseQuotient (a.rowwise().lpNorm<Eigen::Infinity>()).maxCoeff();
 }
 
-StandardGraph fused (const PlayerSettings& settings)
+InstrumentGraph fused (const PlayerSettings& settings)
 {
-    return standardGraph (example().model, settings, example().probe);
+    InstrumentNodes nodes;
+    nodes.settings = settings;
+    nodes.probeShapes = example().probe;
+    return instrumentGraph (example().model, std::move (nodes));
 }
 
-StandardGraph open (const PlayerSettings& settings, const InsertNodes& insert = {})
+InstrumentGraph open (const PlayerSettings& settings, const InsertNodes& insert = {})
 {
-    return openGraph (example().model, settings, example().probe, insert);
+    InstrumentNodes nodes;
+    nodes.settings = settings;
+    nodes.choice = { true, insert };
+    nodes.probeShapes = example().probe;
+    return instrumentGraph (example().model, std::move (nodes));
 }
 
 /** A gain a channel, 1, 2, 3 ..., as an equaliser would stand there. */
@@ -274,9 +282,8 @@ TEST_CASE ("A node of one's own stands between any nodes of the open graph, and 
     }
 
     CHECK (peak == changed.topRows (ceramics).cwiseAbs().maxCoeff());
-    CHECK_THROWS (openGraph (example().model, {}, example().probe,
-                             [] (NodeGraph& graph, GraphPlace, int last)
-                             { return graph.add (std::make_unique<GainNode> (3), last); }));
+    CHECK_THROWS (open ({}, [] (NodeGraph& graph, GraphPlace, int last)
+                        { return graph.add (std::make_unique<GainNode> (3), last); }));
 }
 
 TEST_CASE ("Forces can be changed on their way to the allocation", "[graph][open]")

@@ -24,16 +24,6 @@ Eigen::MatrixXd ceramicRows (const Eigen::MatrixXd& played, Eigen::Index ceramic
 {
     return played.topRows (ceramics);
 }
-
-SessionState stateWith (const std::string& device, const std::string& focus)
-{
-    return { std::make_shared<const DeviceDocument> (
-                 readDeviceDocument (loadDocument (LibraryKind::device, device), device)),
-             std::make_shared<const FocusDocument> (
-                 readFocusDocument (loadDocument (LibraryKind::focus, focus), focus)),
-             {},
-             0 };
-}
 } // namespace
 
 TEST_CASE ("Middle C plays the voltages that the command line renders, to the sample, for any blocks", "[plugin]")
@@ -63,19 +53,16 @@ TEST_CASE ("A velocity is an amplitude, other notes are other places", "[plugin]
     CHECK ((other - loud).cwiseAbs().maxCoeff() > 0.01);
 }
 
-TEST_CASE ("Channels beyond the device's ceramics are silent, missing channels are said", "[plugin]")
+TEST_CASE ("Channels beyond the device's ceramics are silent, and the first play the same without them", "[plugin]")
 {
     const auto wide = test::offlineProcessor (64, rate, 512);
     const auto played = test::play (*wide, length, 512, 0);
     CHECK (played.rows() == 66);
     CHECK (played.middleRows (8, 56).isZero (0));
     CHECK (played.topRows (8).cwiseAbs().maxCoeff() > 0.05);
-    CHECK (wide->warning().isEmpty());
 
     const auto narrow = test::offlineProcessor (2, rate, 512);
     CHECK ((test::play (*narrow, length, 512, 0).topRows (2) - played.topRows (2)).cwiseAbs().maxCoeff() == 0);
-    CHECK (narrow->warning().contains ("8 ceramics"));
-    CHECK (narrow->warning().contains ("2 channels"));
 }
 
 TEST_CASE ("Disarmed, bypassed or muted, ceramics get 0 V", "[plugin]")
@@ -118,41 +105,6 @@ TEST_CASE ("A bypass ramps and never jumps", "[plugin]")
     for (int n = from; n < to; ++n)
         CHECK ((played.col (n).head (8) - rendered.col (n) * (1 - (n - from + 1) / 960.0)).cwiseAbs().maxCoeff()
                < 1e-7);
-}
-
-TEST_CASE ("A state comes back to the bit in another instance", "[plugin]")
-{
-    const auto first = test::offlineProcessor (8, rate, 512);
-    first->setState (stateWith ("aluminium-200x120", "aluminium-centre"), true);
-    first->parameters().find ("x")->setValueNotifyingHost (0.37F);
-    first->parameters().find ("width")->setValueNotifyingHost (0.61F);
-    first->setMutes (0b1010);
-    juce::MemoryBlock kept, again;
-    first->getStateInformation (kept);
-    const auto second = test::offlineProcessor (8, rate, 512);
-    second->setStateInformation (kept.getData(), static_cast<int> (kept.getSize()));
-    second->getStateInformation (again);
-    CHECK (kept == again);
-    CHECK (second->warning() == first->warning());
-    CHECK ((test::play (*first, length, 512, 0) - test::play (*second, length, 512, 0)).cwiseAbs().maxCoeff() == 0);
-}
-
-TEST_CASE ("What a state keeps is what it was restored from, whatever a host has set", "[plugin]")
-{
-    const auto first = test::offlineProcessor (8, rate, 512), second = test::offlineProcessor (8, rate, 512);
-    juce::Random random (5);
-
-    for (int i = 0; i < 200; ++i)
-    {
-        for (auto* const parameter : (i == 0 ? second : first)->parameters().all())
-            parameter->setValueNotifyingHost (i % 2 == 0 ? random.nextFloat() : std::pow (random.nextFloat(), 8.0F));
-
-        juce::MemoryBlock kept, again;
-        first->getStateInformation (kept);
-        second->setStateInformation (kept.getData(), static_cast<int> (kept.getSize()));
-        second->getStateInformation (again);
-        REQUIRE (kept == again);
-    }
 }
 
 TEST_CASE ("After a restored state has been prepared the first note plays", "[plugin]")
@@ -250,6 +202,7 @@ TEST_CASE ("What is typed is read with a decimal comma, and changes nothing wher
         return static_cast<double> (
             parameter.convertFrom0to1 (parameter.getValueForText (juce::String::fromUTF8 (text))));
     };
+    CHECK (processor->parameters().find ("x")->getCurrentValueAsText() == "24 mm");
     CHECK (typed ("output_trim", "-0,5") == Approx (-0.5).margin (1e-5));
     CHECK (typed ("output_trim", "\xE2\x88\x92"
                                  "0.5 dB")
@@ -280,84 +233,6 @@ TEST_CASE ("What is typed is read with a decimal comma, and changes nothing wher
     }
 
     CHECK (typed ("modes", "7.5") == 7);
-}
-
-TEST_CASE ("A parameter that is set to what is no number keeps its value", "[plugin]")
-{
-    const auto processor = test::offlineProcessor (8, rate, 512);
-
-    for (auto* const parameter : processor->parameters().all())
-    {
-        const auto name = parameter->getParameterID().toStdString();
-        CAPTURE (name);
-        const auto before = parameterValue (*parameter);
-
-        for (const auto share : { std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(),
-                                  -std::numeric_limits<float>::infinity() })
-        {
-            parameter->setValueNotifyingHost (share);
-            CHECK (parameterValue (*parameter) == before);
-            setValue (*parameter, static_cast<double> (share));
-            CHECK (parameterValue (*parameter) == before);
-        }
-    }
-}
-
-TEST_CASE ("A broken state changes nothing and says so", "[plugin]")
-{
-    const auto processor = test::offlineProcessor (8, rate, 512);
-    processor->parameters().find ("x")->setValueNotifyingHost (0.25F);
-    juce::MemoryBlock kept, after;
-    processor->getStateInformation (kept);
-    const auto good = kept.toString().toStdString();
-    const auto broken = GENERATE_COPY (
-        std::string(), std::string ("\0\1\2", 3), std::string ("{}"), good.substr (0, good.size() / 2),
-        std::string (R"({"schema":"antinode.state/2","device":{},"focus":{},"parameters":{},"muted_ceramics":[]})"),
-        [&]
-        {
-            auto text = good;
-            return text.replace (text.find ("\"length_mm\""), 11, "\"lengths_mm\"");
-        }());
-    processor->setStateInformation (broken.data(), static_cast<int> (broken.size()));
-    processor->getStateInformation (after);
-    CHECK (after == kept);
-    CHECK (processor->warning().startsWith ("The saved state could not be read; nothing was changed: state"));
-}
-
-TEST_CASE ("A device that requires arming is disarmed when it is loaded or restored, no other", "[plugin]")
-{
-    const auto processor = test::offlineProcessor (8, rate, 512);
-    auto json = loadDocument (LibraryKind::device, "beam");
-    processor->load (std::make_shared<const DeviceDocument> (readDeviceDocument (json, "beam")), nullptr);
-    CHECK (processor->parameters().arm().get());
-    json["limits"]["requires_arming"] = true;
-    processor->load (std::make_shared<const DeviceDocument> (readDeviceDocument (json, "beam")), nullptr);
-    CHECK_FALSE (processor->parameters().arm().get());
-    processor->parameters().arm().setValueNotifyingHost (1);
-    juce::MemoryBlock kept;
-    processor->getStateInformation (kept);
-    processor->setStateInformation (kept.getData(), static_cast<int> (kept.getSize()));
-    CHECK_FALSE (processor->parameters().arm().get());
-}
-
-TEST_CASE ("Texts of parameters read back as what they were written from", "[plugin]")
-{
-    const auto processor = test::offlineProcessor (8, rate, 512);
-
-    for (auto* const parameter : processor->parameters().all())
-    {
-        INFO (parameter->getParameterID());
-        CHECK (parameter->getName (100).isNotEmpty());
-
-        for (const auto share : { 0.0F, 0.2F, 0.5F, 0.9F, 1.0F })
-        {
-            const auto text = parameter->getText (parameter->convertTo0to1 (parameter->convertFrom0to1 (share)), 100);
-            INFO (text);
-            CHECK (parameter->getText (parameter->getValueForText (text), 100) == text);
-        }
-    }
-
-    CHECK (processor->parameters().find ("x")->getCurrentValueAsText() == "24 mm");
 }
 
 TEST_CASE ("With the focus on the note the latency is the focus time, and the focus falls that much after the note",

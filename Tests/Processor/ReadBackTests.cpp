@@ -1,16 +1,8 @@
 #include <Processor/AntinodeProcessor.h>
 
-#include <Support/ReadBack.h>
-
 #include <catch2/catch.hpp>
 
 using namespace antinode;
-
-TEST_CASE ("What a host reads of Antinode's parameters is what it gets back, to the bit", "[plugin]")
-{
-    test::requireReadBack<AntinodeProcessor> (
-        [] { return std::make_unique<AntinodeProcessor> (2, juce::AudioProcessor::wrapperType_Undefined); });
-}
 
 TEST_CASE ("A value that a document gives is kept to the bit, and so is the share that a host is told", "[plugin]")
 {

@@ -58,17 +58,17 @@ TEST_CASE ("A state that is none says where and why", "[session]")
 TEST_CASE ("States of each role load as the versions before wrote them, and say the same when written again",
            "[session]")
 {
-    const auto [name, role] = GENERATE (table<std::string, SessionRole> (
-        { { "foci", SessionRole::foci }, { "fingers", SessionRole::fingers }, { "plate", SessionRole::plate } }));
+    const auto [name, role] = GENERATE (table<std::string, const SessionRole*> (
+        { { "foci", &SessionRole::foci }, { "fingers", &SessionRole::fingers }, { "plate", &SessionRole::plate } }));
     CAPTURE (name);
     std::ifstream file (ANTINODE_TEST_DATA "/States/" + name + ".json");
     const std::string text { std::istreambuf_iterator<char> (file), {} };
-    const auto state = readState (text, role);
-    CHECK ((state.focus == nullptr) == (role == SessionRole::plate));
-    CHECK (state.following.isOn() == (role != SessionRole::plate));
-    CHECK (nlohmann::json::parse (stateToText (state, role)) == nlohmann::json::parse (text));
+    const auto state = readState (text, *role);
+    CHECK ((state.focus == nullptr) == (role == &SessionRole::plate));
+    CHECK (state.following.isOn() == (role != &SessionRole::plate));
+    CHECK (nlohmann::json::parse (stateToText (state, *role)) == nlohmann::json::parse (text));
 
-    for (const auto other : { SessionRole::foci, SessionRole::fingers, SessionRole::plate })
+    for (const auto* const other : { &SessionRole::foci, &SessionRole::fingers, &SessionRole::plate })
         if (other != role)
-            CHECK_THROWS_WITH (readState (text, other), Catch::Contains ("schema"));
+            CHECK_THROWS_WITH (readState (text, *other), Catch::Contains ("schema"));
 }

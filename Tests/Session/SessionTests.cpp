@@ -206,7 +206,7 @@ TEST_CASE ("A device that cannot be solved leaves the old one playing, and says 
     json["ceramics"] = nlohmann::json::array();
     played.session.load (std::make_shared<const DeviceDocument> (readDeviceDocument (json, "beam")), nullptr);
     played.session.waitUntilSettled();
-    CHECK (played.session.snapshot()->error == "device 'beam': has no ceramics; nothing can be played");
+    CHECK (played.session.snapshot()->error == "device 'beam': has no ceramics, so nothing can move it");
     played.play (9600);
     CHECK (played.play (2400, { spotPlayed }).topRows (8).isApprox (before.topRows (8)));
 }
@@ -259,8 +259,8 @@ TEST_CASE ("A touch is designed at its own place and fired, a place off the surf
 {
     test::PlayedSession played;
     played.prepare (rate);
-    CHECK (played.session.fireAt (1, 0, 1) == Session::TouchResult::outsideSurface);
-    REQUIRE (played.session.fireAt (-0.02, 0, 0.5) == Session::TouchResult::taken);
+    CHECK (played.session.fireAt (1, 0, 1) == Session::FireResult::outsideSurface);
+    REQUIRE (played.session.fireAt (-0.02, 0, 0.5) == Session::FireResult::taken);
     CHECK (waitFor (
         [&]
         {

@@ -1,6 +1,6 @@
 #include <antinode_focus/BankPlaces.h>
+#include <antinode_graph/InstrumentGraph.h>
 #include <antinode_graph/LimiterNode.h>
-#include <antinode_graph/StandardGraph.h>
 #include <antinode_session/DesignWorker.h>
 
 #include <Support/AudioThreadGuards.h>
@@ -148,9 +148,12 @@ void soak (const PlayerSettings& settings, double seconds, Findings& findings)
     const auto model = limitedBeam();
     Eigen::MatrixXd probeShapes (probes, model->modes());
     probeShapes << shapesAt (*model, -0.03, 0), shapesAt (*model, 0.05, 0);
-    auto standard = standardGraph (model, settings, probeShapes);
+    InstrumentNodes nodes;
+    nodes.settings = settings;
+    nodes.probeShapes = probeShapes;
+    auto standard = instrumentGraph (model, std::move (nodes));
     standard.graph.prepare ({ rate, longestBlock });
-    auto& player = standard.playerNode().player();
+    auto& player = standard.voiceNode().voices();
     DesignWorker worker (player.handOver());
     worker.request (makeRequest (model, 0));
     test::waitForBank (worker, FocusBank::places);

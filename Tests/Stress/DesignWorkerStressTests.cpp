@@ -1,6 +1,6 @@
 #include <antinode_focus/BankPlaces.h>
+#include <antinode_graph/InstrumentGraph.h>
 #include <antinode_graph/LimiterNode.h>
-#include <antinode_graph/StandardGraph.h>
 #include <antinode_session/DesignWorker.h>
 
 #include <Support/SineBeam.h>
@@ -24,7 +24,7 @@ constexpr int ceramics = 6, places = 16, blockLength = 32;
 struct Stress
 {
     std::shared_ptr<const ModalModel> model = std::make_shared<const ModalModel> (test::sineBeam (10, ceramics));
-    StandardGraph standard;
+    InstrumentGraph standard;
     std::atomic<bool> isRunning { true };
     std::int64_t sent = 0; ///< Of the audio thread, as all below.
     bool isFinite = true;
@@ -34,11 +34,14 @@ struct Stress
     {
         PlayerSettings settings;
         settings.noteOff = NoteOffBehaviour::brake;
-        standard = standardGraph (model, settings, shapesAt (*model, 0.01, 0));
+        InstrumentNodes nodes;
+        nodes.settings = settings;
+        nodes.probeShapes = shapesAt (*model, 0.01, 0);
+        standard = instrumentGraph (model, std::move (nodes));
         standard.graph.prepare ({ rate, blockLength });
     }
 
-    FocusPlayer& player() { return standard.playerNode().player(); }
+    FocusVoices& player() { return standard.voiceNode().voices(); }
 
     DesignRequest request (double width) const
     {

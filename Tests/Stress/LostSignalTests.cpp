@@ -58,14 +58,8 @@ struct Rounds : DeviceRounds<SessionSnapshot, PlaySettings, double>
 
     using DeviceRounds::ask;
 
-    void run()
-    {
-        for (std::uint64_t round = 0; awaitRound (round);)
-        {
-            takeDocument();
-            finish (round);
-        }
-    }
+    void work() override { takeDocument(); }
+    void clear() override {}
 };
 
 DesignRequest smallRequest()

@@ -33,7 +33,7 @@ inline TrackScores judgedBy (const ModalModel& judge, TouchProcessor& processor,
 {
     const auto model = processor.session().snapshot()->model;
     const auto settings = processor.parameters().settings();
-    const auto description = touchedBy (model->surface, settings, processor.inputs());
+    const auto description = waveformsFor (model->surface, settings, processor.inputs());
     const auto latency = static_cast<double> (processor.getLatencySamples()) / judgedRate;
     const SampledVoltages voltages { { Reconstruction::bandLimited, judgedRate },
                                      -latency,

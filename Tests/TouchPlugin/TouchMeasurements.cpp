@@ -122,7 +122,7 @@ TEST_CASE ("What fingers that rest feel of noise at the first of them", "[.touch
     processor->prepareToPlay (rate, block);
     const auto inputs = oneNoise (count);
     const auto description =
-        touchedBy (processor->session().snapshot()->model->surface, processor->parameters().settings(), count);
+        waveformsFor (processor->session().snapshot()->model->surface, processor->parameters().settings(), count);
     CHECK (printScores (*processor, description, inputs, voltagesOf (*processor, inputs, block)) < -30);
 }
 
@@ -132,7 +132,7 @@ TEST_CASE ("What fingers feel of noise at one that moves at 100 mm/s", "[.touch-
     const auto count = GENERATE (2, 3, 5);
     const auto processor = measuredTouch (count);
     const auto& surface = processor->session().snapshot()->model->surface;
-    auto description = touchedBy (surface, processor->parameters().settings(), count);
+    auto description = waveformsFor (surface, processor->parameters().settings(), count);
     const auto latency = static_cast<double> (processor->getLatencySamples()) / rate;
     auto& point = description.tracks[0].point;
     point.path = { { movesFrom - latency, point.x, point.y },

@@ -95,14 +95,6 @@ TEST_CASE ("The voltages of inputs are the same to the bit for all blocks", "[to
         CHECK ((voltagesOf (*offlineTouch (ceramics, rate, block), inputs, block) - once).isZero (0));
 }
 
-TEST_CASE ("Floats and doubles give the same voltages, to single precision", "[touch-plugin]")
-{
-    const auto inputs = fingerTones (8, 6000, rate);
-    const auto one = offlineTouch (ceramics, rate, 100), other = offlineTouch (ceramics, rate, 100);
-    const auto doubles = voltagesOf<double> (*one, inputs, 100), floats = voltagesOf<float> (*other, inputs, 100);
-    CHECK ((doubles - floats).cwiseAbs().maxCoeff() < 1e-6 * doubles.cwiseAbs().maxCoeff());
-}
-
 TEST_CASE ("A level and the gain are factors of the voltages", "[touch-plugin]")
 {
     auto parameters = threeFingers();
@@ -197,19 +189,11 @@ TEST_CASE ("No step is heard where filters follow each other", "[touch-plugin]")
     CHECK (steepest (changing) < 1.5 * std::max (before, after));
 }
 
-TEST_CASE ("Until filters are designed, and unprepared, all voltages are 0", "[touch-plugin]")
+TEST_CASE ("Where no finger rests all voltages are 0", "[touch-plugin]")
 {
-    TouchProcessor processor (ceramics, juce::AudioProcessor::wrapperType_Undefined);
-    const auto inputs = fingerTones (8, 2000, rate);
-    CHECK (voltagesOf (processor, inputs, 64).isZero (0));
     auto none = threeFingers();
     none["finger1_state"] = none["finger2_state"] = none["finger3_state"] = 0;
-    CHECK (voltagesOf (*offlineTouch (ceramics, rate, 64, none), inputs, 64).isZero (0));
-    juce::AudioBuffer<float> tooFew (1, 64);
-    tooFew.setSample (0, 3, 1);
-    juce::MidiBuffer midi;
-    processor.processBlock (tooFew, midi);
-    CHECK (tooFew.getMagnitude (0, 64) == 0);
+    CHECK (voltagesOf (*offlineTouch (ceramics, rate, 64, none), fingerTones (8, 2000, rate), 64).isZero (0));
 }
 
 TEST_CASE ("Bypassed or disarmed, all voltages are 0 within 5 ms, and no input comes through", "[touch-plugin]")

@@ -1,13 +1,12 @@
 #pragma once
 
 #include "DesignedDrift.h"
+#include "InstrumentPath.h"
 #include "KnownDrift.h"
-#include "TouchPath.h"
 
 #include <antinode_base/Watch.h>
 #include <antinode_fingers/Finger.h>
 
-#include <atomic>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -39,7 +38,7 @@ struct FociSurface
 /** The focus of a touch session, which notes play on top of the fingers' tracks: middle C at its own place, the others
     spread over the surface. A focus that was written before plays on every note. It is designed for the fingers of its
     own document, and for those of the session where these rest. Docs/Design/fingers.md */
-class TouchFoci
+class NoteFoci
 {
 public:
     /** Another focus; none: notes play nothing. [any but the audio thread] */
@@ -54,27 +53,27 @@ public:
     /** [any but the audio thread] */
     FociUnderFingers underFingers() const;
 
-    /** Which places of the bank notes mean, or that they mean none. [any] */
+    /** Which places of the bank notes mean, or that they mean none. [session's thread] */
     NoteMeaning notes() const { return meaning; }
 
     /** Asks a path's worker for the bank where the focus or the path is another one, or other fingers rest; ends its
         work where fingers move on and there is a whole bank that can play.
         @param goesOn  whether to go on with loading the surface by fingers, which takes a part of a second
         [session's thread] */
-    void serve (TouchPath&, const FociSurface&, bool isPathNew, const Watch& goesOn);
+    void serve (InstrumentPath&, const FociSurface&, bool isPathNew, const Watch& goesOn);
 
 private:
-    void begin (TouchPath&, const FociSurface&);
-    void update (TouchPath&, const FociSurface&, const Watch& goesOn);
-    void request (TouchPath&, const FociSurface&, const std::vector<Finger>&, const Watch& goesOn);
+    void begin (InstrumentPath&, const FociSurface&);
+    void update (InstrumentPath&, const FociSurface&, const Watch& goesOn);
+    void request (InstrumentPath&, const FociSurface&, const std::vector<Finger>&, const Watch& goesOn);
     FociUnderFingers knowledge (const FociSurface&, const DesignProgress&) const;
 
     mutable std::mutex mutex;                    ///< For the next lines.
     std::shared_ptr<const FocusDocument> wanted; ///< The newest one.
     DesignProgress designs;
     FociUnderFingers fociUnderFingers = FociUnderFingers::unaffected;
-    std::atomic<NoteMeaning> meaning { NoteMeaning::nothing };
-    std::shared_ptr<const FocusDocument> served; ///< Of the session's thread, as the next lines.
+    NoteMeaning meaning = NoteMeaning::nothing; ///< Of the session's thread, as the next lines.
+    std::shared_ptr<const FocusDocument> served;
     std::shared_ptr<const DeviceDocument> solvedDevice;
     std::shared_ptr<const ModalModel> solved;       ///< Without amplifiers.
     std::string error;                              ///< Why nothing could be asked for.

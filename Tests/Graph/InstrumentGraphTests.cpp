@@ -3,8 +3,8 @@
 #include <antinode_engine/LagFilters.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_graph/InstrumentGraph.h>
 #include <antinode_graph/LimiterNode.h>
-#include <antinode_graph/StandardGraph.h>
 
 #include <catch2/catch.hpp>
 
@@ -38,12 +38,14 @@ struct Example
 Eigen::MatrixXd played (const Example& example, double rate, int block, Eigen::Index length, double amplitude = 1)
 {
     const auto outputs = needsLagFilters (*example.model) ? 2 * ceramics + 1 : ceramics + 1;
-    auto standard = standardGraph (example.model, {}, example.probe);
+    InstrumentNodes nodes;
+    nodes.probeShapes = example.probe;
+    auto standard = instrumentGraph (example.model, std::move (nodes));
     standard.graph.prepare ({ rate, block });
     auto bank = std::make_unique<FocusBank>();
     bank->foci[0] =
         std::make_shared<const PlayableFocus> (example.design.program, Playback { Reconstruction::bandLimited, rate });
-    standard.playerNode().player().handOver().give (std::move (bank));
+    standard.voiceNode().voices().handOver().give (std::move (bank));
     Eigen::MatrixXd result (outputs, length);
     std::vector<std::vector<double>> buffers (static_cast<std::size_t> (outputs),
                                               std::vector<double> (static_cast<std::size_t> (block)));

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "PeakMeters.h"
+#include "TouchSettings.h"
+
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -42,5 +45,15 @@ public:
 private:
     std::array<std::atomic<float>, length> values {};
     std::atomic<std::uint64_t> written { 0 };
+};
+
+/** Levels of the audio thread for other threads. */
+struct FingerMeters
+{
+    PeakMeters<mostFingers> inputs;              ///< Of full scale.
+    PeakMeters<mostFingers> displacements;       ///< m within the band: what is asked for.
+    PeakMeters<mostFingers> felt;                ///< Times the threshold of skin.
+    std::array<FingerTrace, mostFingers> traces; ///< m within the band, sample by sample of the filters.
+    std::atomic<double> traceRate { 0 };         ///< Hz, of the traces; 0 before anything plays.
 };
 } // namespace antinode

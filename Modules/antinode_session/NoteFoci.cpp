@@ -1,4 +1,4 @@
-#include "TouchFoci.h"
+#include "NoteFoci.h"
 
 #include "Amplifiers.h"
 #include "NoteBank.h"
@@ -51,31 +51,31 @@ std::shared_ptr<const ModalModel> loadedBy (const std::shared_ptr<const ModalMod
 }
 } // namespace
 
-void TouchFoci::load (std::shared_ptr<const FocusDocument> focus)
+void NoteFoci::load (std::shared_ptr<const FocusDocument> focus)
 {
     const std::lock_guard lock (mutex);
     wanted = std::move (focus);
 }
 
-std::shared_ptr<const FocusDocument> TouchFoci::focus() const
+std::shared_ptr<const FocusDocument> NoteFoci::focus() const
 {
     const std::lock_guard lock (mutex);
     return wanted;
 }
 
-DesignProgress TouchFoci::progress() const
+DesignProgress NoteFoci::progress() const
 {
     const std::lock_guard lock (mutex);
     return designs;
 }
 
-FociUnderFingers TouchFoci::underFingers() const
+FociUnderFingers NoteFoci::underFingers() const
 {
     const std::lock_guard lock (mutex);
     return fociUnderFingers;
 }
 
-void TouchFoci::serve (TouchPath& path, const FociSurface& surface, bool isPathNew, const Watch& goesOn)
+void NoteFoci::serve (InstrumentPath& path, const FociSurface& surface, bool isPathNew, const Watch& goesOn)
 {
     if (const auto now = focus(); served != now || isPathNew)
     {
@@ -96,7 +96,7 @@ void TouchFoci::serve (TouchPath& path, const FociSurface& surface, bool isPathN
 }
 
 /** Another focus, or another path: at first without the session's fingers, which shall not keep it waiting. */
-void TouchFoci::begin (TouchPath& path, const FociSurface& surface)
+void NoteFoci::begin (InstrumentPath& path, const FociSurface& surface)
 {
     error.clear();
     meaning = NoteMeaning::nothing;
@@ -116,7 +116,7 @@ void TouchFoci::begin (TouchPath& path, const FociSurface& surface)
 }
 
 /** A bank that is there plays on while fingers move; a part of one is better than none. */
-void TouchFoci::update (TouchPath& path, const FociSurface& surface, const Watch& goesOn)
+void NoteFoci::update (InstrumentPath& path, const FociSurface& surface, const Watch& goesOn)
 {
     const auto isDone = path.foci().progress().isDone();
     isWhole = isWhole || (isDone && designedFor);
@@ -151,8 +151,8 @@ void TouchFoci::update (TouchPath& path, const FociSurface& surface, const Watch
     }
 }
 
-void TouchFoci::request (TouchPath& path, const FociSurface& surface, const std::vector<Finger>& fingers,
-                         const Watch& goesOn)
+void NoteFoci::request (InstrumentPath& path, const FociSurface& surface, const std::vector<Finger>& fingers,
+                        const Watch& goesOn)
 {
     if (solvedDevice != surface.device)
     {
@@ -183,7 +183,7 @@ void TouchFoci::request (TouchPath& path, const FociSurface& surface, const std:
     isLoadingRefused = false;
 }
 
-FociUnderFingers TouchFoci::knowledge (const FociSurface& surface, const DesignProgress& progress) const
+FociUnderFingers NoteFoci::knowledge (const FociSurface& surface, const DesignProgress& progress) const
 {
     if (served == nullptr || ! error.empty() || meaning == NoteMeaning::spotOnly)
         return FociUnderFingers::unaffected;

@@ -1,4 +1,4 @@
-#include "TouchDesigner.h"
+#include "FilterDesigner.h"
 
 #include "FocusSettings.h"
 
@@ -14,9 +14,8 @@ namespace antinode
 {
 namespace
 {
-constexpr double worstQuickError = 0.1;                           // of the wanted motion: -20 dB
-constexpr double movingTolerance = 0.02;                          // of the wanted motion: -34 dB
-constexpr std::array loadWords { "", "light", "medium", "firm" }; // of FingerLoad
+constexpr double worstQuickError = 0.1;  // of the wanted motion: -20 dB
+constexpr double movingTolerance = 0.02; // of the wanted motion: -34 dB
 
 /** The fingers that rest, those with an input first: the order of touchedPoints. */
 std::vector<std::size_t> restingFingers (const TouchSettings& settings)
@@ -37,7 +36,7 @@ TouchedPoint touchedPoint (const Surface& surface, const FingerSettings& finger)
         placeFromPercent (surface, static_cast<double> (finger.xPercent), static_cast<double> (finger.yPercent));
 
     if (finger.load != FingerLoad::none)
-        point.finger = builtInFinger (loadWords[static_cast<std::size_t> (finger.load)], point.x, point.y);
+        point.finger = builtInFinger (fingerLoadWords[static_cast<std::size_t> (finger.load)], point.x, point.y);
 
     return point;
 }
@@ -76,10 +75,10 @@ std::string namingFingers (std::string text, const WaveformsDescription& descrip
     return text;
 }
 
-std::shared_ptr<const TouchDesign> asPlayed (const FingerFilters& filters,
-                                             const std::vector<Eigen::Index>& inputOfTrack, int inputs, TrackBand band)
+std::shared_ptr<const FilterDesign> asPlayed (const FingerFilters& filters,
+                                              const std::vector<Eigen::Index>& inputOfTrack, int inputs, TrackBand band)
 {
-    auto design = std::make_shared<TouchDesign>();
+    auto design = std::make_shared<FilterDesign>();
     design->bank = filterBank (filters, inputOfTrack, inputs);
     design->error = filters.error;
     design->noiseGains = Eigen::MatrixXd::Zero (design->bank.values.rows(), mostFingers);
@@ -92,7 +91,7 @@ std::shared_ptr<const TouchDesign> asPlayed (const FingerFilters& filters,
 }
 } // namespace
 
-WaveformsDescription touchedBy (const Surface& surface, const TouchSettings& settings, int inputs)
+WaveformsDescription waveformsFor (const Surface& surface, const TouchSettings& settings, int inputs)
 {
     WaveformsDescription description;
 
@@ -105,7 +104,7 @@ WaveformsDescription touchedBy (const Surface& surface, const TouchSettings& set
     return description;
 }
 
-FilterSettings TouchDesigner::filterSettings (double sampleRate, std::size_t latency)
+FilterSettings FilterDesigner::filterSettings (double sampleRate, std::size_t latency)
 {
     FilterSettings settings;
     settings.sampleRate = sampleRate;
@@ -113,25 +112,25 @@ FilterSettings TouchDesigner::filterSettings (double sampleRate, std::size_t lat
     return settings;
 }
 
-TouchDesigner::TouchDesigner (std::shared_ptr<const ModalModel> modelToDrive, double sampleRate, int inputsToTake)
+FilterDesigner::FilterDesigner (std::shared_ptr<const ModalModel> modelToDrive, double sampleRate, int inputsToTake)
     : model (std::move (modelToDrive)), rate (sampleRate), inputs (inputsToTake)
 {
 }
 
-void TouchDesigner::setFingers (const TouchSettings& settings)
+void FilterDesigner::setFingers (const TouchSettings& settings)
 {
     if (const auto wanted = placesOnly (settings); std::exchange (places, wanted) != wanted)
         designs = {};
 }
 
-void TouchDesigner::makeDesign (std::size_t latency, const ShowProgress& progress)
+void FilterDesigner::makeDesign (std::size_t latency, const ShowProgress& progress)
 {
-    const auto description = touchedBy (model->surface, places, inputs);
+    const auto description = waveformsFor (model->surface, places, inputs);
     const auto settings = filterSettings (rate, latency);
 
     if (description.tracks.empty())
     {
-        auto silence = std::make_shared<TouchDesign>();
+        auto silence = std::make_shared<FilterDesign>();
         silence->bank = silentBank (model->actuators(), inputs, filterTiming (description.band, settings));
         silence->noiseGains = Eigen::MatrixXd::Zero (model->actuators(), mostFingers);
         designs[latency] = std::move (silence);
@@ -152,11 +151,11 @@ void TouchDesigner::makeDesign (std::size_t latency, const ShowProgress& progres
     }
 }
 
-std::unique_ptr<const FilterBank> TouchDesigner::quickBank (std::size_t latency, const TouchSettings& expected)
+std::unique_ptr<const FilterBank> FilterDesigner::quickBank (std::size_t latency, const TouchSettings& expected)
 try
 {
     const auto wanted = placesOnly (expected);
-    const auto description = touchedBy (model->surface, wanted, inputs);
+    const auto description = waveformsFor (model->surface, wanted, inputs);
 
     if (description.tracks.empty())
         return nullptr;

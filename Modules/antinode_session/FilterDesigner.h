@@ -15,30 +15,30 @@
 namespace antinode
 {
 /** Filters for one set of places and one latency. */
-struct TouchDesign
+struct FilterDesign
 {
     FilterBank bank;
     Eigen::MatrixXd noiseGains; ///< N_b x mostFingers, V/m: RMS for RMS of noise that fills the band.
     double error = 0;           ///< As FingerFilters has it.
 };
 
-/** What the filters of Antinode Touch are made for, as touched points: fingers with an input are tracks, others that
-    rest are silent. @param inputs  how many fingers have one [any] */
-WaveformsDescription touchedBy (const Surface&, const TouchSettings&, int inputs);
+/** What filters are made for: fingers with an input are tracks, others that rest are silent. @param inputs  how many
+ * fingers have one [any] */
+WaveformsDescription waveformsFor (const Surface&, const TouchSettings&, int inputs);
 
 /** Designs filters for fingers on one surface at one rate, and keeps those of the present places. All decisions of how
     filters are made are here. */
-class TouchDesigner
+class FilterDesigner
 {
 public:
-    TouchDesigner (std::shared_ptr<const ModalModel>, double sampleRate, int inputs);
+    FilterDesigner (std::shared_ptr<const ModalModel>, double sampleRate, int inputs);
 
     /** Where fingers rest. Designs for other places are forgotten; whether a finger plays or is silent needs no other
         ones. [session's thread] */
     void setFingers (const TouchSettings&);
 
     /** The design for the present places and a latency, if there is one. [session's thread] */
-    std::shared_ptr<const TouchDesign> design (std::size_t latency) const { return designs[latency]; }
+    std::shared_ptr<const FilterDesign> design (std::size_t latency) const { return designs[latency]; }
 
     /** Makes it.
         @throws InputError  where there is none: which finger, what is allowed
@@ -62,7 +62,7 @@ private:
     double rate;
     int inputs;
     TouchSettings places; ///< As if all that rest played, at the same latency.
-    std::array<std::shared_ptr<const TouchDesign>, touchLatencies.size()> designs;
+    std::array<std::shared_ptr<const FilterDesign>, touchLatencies.size()> designs;
     std::array<std::unique_ptr<const QuickFilterDesigner>, touchLatencies.size()> quick;
 };
 } // namespace antinode
