@@ -4,7 +4,7 @@
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_documents/FocusWords.h>
-#include <antinode_library/Inputs.h>
+#include <antinode_documents/Inputs.h>
 #include <antinode_structure/Materials.h>
 
 #include <nlohmann/json.hpp>

@@ -3,7 +3,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
 #include <antinode_documents/ExcitationFile.h>
-#include <antinode_library/Inputs.h>
+#include <antinode_documents/Inputs.h>
 #include <antinode_responses/PointsFile.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/NumberText.h>
 #include <antinode_documents/ChangedDevice.h>
-#include <antinode_library/Library.h>
+#include <antinode_documents/Library.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>

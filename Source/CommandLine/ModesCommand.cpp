@@ -2,16 +2,16 @@
 #include "FieldOptions.h"
 
 #include <antinode_base/NumberText.h>
+#include <antinode_documents/Library.h>
 #include <antinode_documents/MatlabTables.h>
 #include <antinode_documents/ModeTable.h>
 #include <antinode_documents/UniversalModes.h>
 #include <antinode_identification/FrequencyDrift.h>
-#include <antinode_library/Library.h>
 #include <antinode_reports/ModesReport.h>
+#include <antinode_responses/UniversalFile.h>
 #include <antinode_structure/DescribedModel.h>
 #include <antinode_structure/DeviceKind.h>
 #include <antinode_text/OutputFolder.h>
-#include <antinode_universal/UniversalFile.h>
 
 #include <nlohmann/json.hpp>
 

@@ -2,9 +2,9 @@
 
 #include "EditorLook.h"
 
-#include <antinode_charts/BlankImage.h>
-#include <antinode_charts/Drawing.h>
-#include <antinode_charts/Lettering.h>
+#include <antinode_reports/BlankImage.h>
+#include <antinode_reports/Drawing.h>
+#include <antinode_reports/Lettering.h>
 
 namespace antinode
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_charts/Chart.h>
+#include <antinode_reports/Chart.h>
 
 #include <juce_gui_basics/juce_gui_basics.h>
 

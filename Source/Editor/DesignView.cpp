@@ -3,13 +3,13 @@
 #include "FocusFaults.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_charts/BankCharts.h>
-#include <antinode_charts/FocusCharts.h>
-#include <antinode_charts/PlateCharts.h>
+#include <antinode_documents/SkinThresholds.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/WideDesign.h>
-#include <antinode_library/SkinThresholds.h>
+#include <antinode_reports/BankCharts.h>
 #include <antinode_reports/FeltSection.h>
+#include <antinode_reports/FocusCharts.h>
+#include <antinode_reports/PlateCharts.h>
 #include <antinode_session/FocusSettings.h>
 #include <antinode_session/WrittenDesign.h>
 

@@ -2,8 +2,8 @@
 
 #include "ChartView.h"
 
-#include <antinode_charts/LineChart.h>
 #include <antinode_model/ModalModel.h>
+#include <antinode_reports/LineChart.h>
 #include <antinode_session/FollowingRequests.h>
 #include <antinode_session/FollowingStatus.h>
 #include <juce_gui_basics/juce_gui_basics.h>

@@ -1,6 +1,6 @@
 #include "EditorContent.h"
 
-#include <antinode_charts/BankCharts.h>
+#include <antinode_reports/BankCharts.h>
 #include <antinode_session/DesignSentences.h>
 
 #include <algorithm>

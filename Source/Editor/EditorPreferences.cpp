@@ -1,7 +1,7 @@
 #include "EditorPreferences.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_library/Library.h>
+#include <antinode_documents/Library.h>
 #include <antinode_text/JsonText.h>
 #include <antinode_text/OutputFolder.h>
 

@@ -1,8 +1,8 @@
 #include "FieldFrames.h"
 
 #include <antinode_base/Watch.h>
-#include <antinode_charts/FieldSampling.h>
 #include <antinode_focus/Prediction.h>
+#include <antinode_reports/FieldSampling.h>
 
 #include <algorithm>
 

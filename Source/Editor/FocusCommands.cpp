@@ -2,7 +2,7 @@
 
 #include "EditorLook.h"
 
-#include <antinode_charts/Lettering.h>
+#include <antinode_reports/Lettering.h>
 
 namespace antinode
 {

@@ -5,7 +5,7 @@
 #include "ParameterControl.h"
 #include "TopBar.h"
 
-#include <antinode_library/Library.h>
+#include <antinode_documents/Library.h>
 
 #include <functional>
 

@@ -2,7 +2,7 @@
 
 #include <antinode_base/Prefixes.h>
 #include <antinode_base/Watch.h>
-#include <antinode_charts/PlateCharts.h>
+#include <antinode_reports/PlateCharts.h>
 
 #include <chrono>
 #include <utility>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_charts/Theme.h>
+#include <antinode_reports/Theme.h>
 
 #include <juce_graphics/juce_graphics.h>
 

@@ -2,7 +2,7 @@
 
 #include "History.h"
 
-#include <antinode_library/Library.h>
+#include <antinode_documents/Library.h>
 
 #include <string>
 

@@ -3,9 +3,9 @@
 #include "EditorLook.h"
 
 #include <antinode_base/Prefixes.h>
-#include <antinode_charts/BlankImage.h>
-#include <antinode_charts/Curve.h>
-#include <antinode_charts/Lettering.h>
+#include <antinode_reports/BlankImage.h>
+#include <antinode_reports/Curve.h>
+#include <antinode_reports/Lettering.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "ChartView.h"
 
-#include <antinode_charts/PlotFrame.h>
+#include <antinode_reports/PlotFrame.h>
 #include <antinode_session/ProbeTrace.h>
 #include <juce_gui_basics/juce_gui_basics.h>
 

@@ -3,7 +3,7 @@
 #include "EditorLook.h"
 #include "JuceText.h"
 
-#include <antinode_charts/Lettering.h>
+#include <antinode_reports/Lettering.h>
 
 #include <algorithm>
 #include <utility>

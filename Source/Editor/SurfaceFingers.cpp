@@ -4,7 +4,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/Prefixes.h>
-#include <antinode_charts/Lettering.h>
+#include <antinode_reports/Lettering.h>
 
 #include <algorithm>
 #include <cmath>

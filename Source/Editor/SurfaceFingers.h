@@ -3,9 +3,9 @@
 #include "History.h"
 #include "Palette.h"
 
-#include <antinode_charts/PlotFrame.h>
 #include <antinode_fingers/Finger.h>
 #include <antinode_model/Surface.h>
+#include <antinode_reports/PlotFrame.h>
 
 #include <functional>
 #include <optional>

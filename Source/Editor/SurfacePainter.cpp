@@ -1,14 +1,14 @@
 #include "SurfacePainter.h"
 
 #include <antinode_base/Prefixes.h>
-#include <antinode_charts/AnnotationDrawing.h>
-#include <antinode_charts/ColourBar.h>
-#include <antinode_charts/Curve.h>
-#include <antinode_charts/DataRange.h>
-#include <antinode_charts/Legend.h>
-#include <antinode_charts/Lettering.h>
-#include <antinode_charts/MapImage.h>
-#include <antinode_charts/MapOverlays.h>
+#include <antinode_reports/AnnotationDrawing.h>
+#include <antinode_reports/ColourBar.h>
+#include <antinode_reports/Curve.h>
+#include <antinode_reports/DataRange.h>
+#include <antinode_reports/Legend.h>
+#include <antinode_reports/Lettering.h>
+#include <antinode_reports/MapImage.h>
+#include <antinode_reports/MapOverlays.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include "FieldFrames.h"
 #include "Palette.h"
 
-#include <antinode_charts/Chart.h>
-#include <antinode_charts/PlotFrame.h>
+#include <antinode_reports/Chart.h>
+#include <antinode_reports/PlotFrame.h>
 
 #include <juce_graphics/juce_graphics.h>
 

@@ -5,7 +5,7 @@
 
 #include <Processor/ParameterSet.h>
 #include <antinode_base/Prefixes.h>
-#include <antinode_charts/Lettering.h>
+#include <antinode_reports/Lettering.h>
 #include <antinode_session/FocusSettings.h>
 
 #include <algorithm>

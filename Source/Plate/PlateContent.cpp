@@ -3,7 +3,7 @@
 #include <Editor/JuceText.h>
 
 #include <antinode_base/Prefixes.h>
-#include <antinode_charts/Lettering.h>
+#include <antinode_reports/Lettering.h>
 
 #include <nlohmann/json.hpp>
 

@@ -4,12 +4,12 @@
 
 #include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
-#include <antinode_charts/FocusCharts.h>
 #include <antinode_documents/DesignFile.h>
 #include <antinode_documents/ToleranceFile.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/Prediction.h>
 #include <antinode_render/Summary.h>
+#include <antinode_reports/FocusCharts.h>
 #include <antinode_reports/ToleranceReport.h>
 #include <antinode_tasks/Render.h>
 #include <antinode_tasks/Tolerance.h>

@@ -3,9 +3,9 @@
 
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_documents/FocusFile.h>
+#include <antinode_documents/Inputs.h>
 #include <antinode_documents/NamedDevice.h>
 #include <antinode_documents/WaveformsFile.h>
-#include <antinode_library/Inputs.h>
 #include <antinode_structure/DeviceKind.h>
 #include <antinode_text/JsonReader.h>
 #include <antinode_text/JsonText.h>

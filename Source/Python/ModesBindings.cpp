@@ -3,13 +3,13 @@
 #include "Values.h"
 
 #include <antinode_base/Prefixes.h>
-#include <antinode_charts/ModeCharts.h>
-#include <antinode_charts/PlateCharts.h>
+#include <antinode_documents/Library.h>
 #include <antinode_documents/ModeTable.h>
 #include <antinode_documents/UniversalModes.h>
-#include <antinode_library/Library.h>
+#include <antinode_reports/ModeCharts.h>
+#include <antinode_reports/PlateCharts.h>
+#include <antinode_responses/UniversalFile.h>
 #include <antinode_text/OutputFolder.h>
-#include <antinode_universal/UniversalFile.h>
 
 #include <pybind11/stl.h>
 

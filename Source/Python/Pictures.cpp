@@ -2,10 +2,10 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
-#include <antinode_charts/FocusCharts.h>
-#include <antinode_charts/Picture.h>
-#include <antinode_charts/PlateCharts.h>
-#include <antinode_charts/Theme.h>
+#include <antinode_reports/FocusCharts.h>
+#include <antinode_reports/Picture.h>
+#include <antinode_reports/PlateCharts.h>
+#include <antinode_reports/Theme.h>
 
 namespace antinode
 {

@@ -2,9 +2,9 @@
 
 #include "Work.h"
 
-#include <antinode_charts/Chart.h>
 #include <antinode_focus/FocusDesign.h>
 #include <antinode_model/ModalModel.h>
+#include <antinode_reports/Chart.h>
 #include <antinode_reports/Report.h>
 
 #include <pybind11/pybind11.h>

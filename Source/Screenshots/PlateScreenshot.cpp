@@ -1,10 +1,10 @@
 #include "Screenshots.h"
 
 #include <Plate/PlateContent.h>
+#include <antinode_documents/Library.h>
 #include <antinode_engine/VoltageSynthesiser.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/FocusDescription.h>
-#include <antinode_library/Library.h>
 
 #include <nlohmann/json.hpp>
 

@@ -3,7 +3,7 @@
 #include <Standalone/MainComponent.h>
 #include <Touch/TouchContent.h>
 
-#include <antinode_library/Library.h>
+#include <antinode_documents/Library.h>
 
 #include <nlohmann/json.hpp>
 

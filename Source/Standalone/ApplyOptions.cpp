@@ -4,7 +4,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/Prefixes.h>
-#include <antinode_library/Library.h>
+#include <antinode_documents/Library.h>
 
 #include <nlohmann/json.hpp>
 

@@ -3,8 +3,8 @@
 #include "PanelSizes.h"
 
 #include <Editor/EditorLook.h>
-#include <antinode_charts/Curve.h>
 #include <antinode_numerics/Fourier.h>
+#include <antinode_reports/Curve.h>
 
 #include <algorithm>
 #include <cmath>

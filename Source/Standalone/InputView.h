@@ -3,7 +3,7 @@
 #include "AudioHost.h"
 #include "LevelBar.h"
 
-#include <antinode_charts/PlotFrame.h>
+#include <antinode_reports/PlotFrame.h>
 
 #include <Eigen/Core>
 #include <deque>

@@ -3,7 +3,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/Processes.h>
 #include <antinode_base/WholeFile.h>
-#include <antinode_library/Library.h>
+#include <antinode_documents/Library.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <charconv>

@@ -5,7 +5,7 @@
 #include <Editor/JuceText.h>
 
 #include <antinode_base/Prefixes.h>
-#include <antinode_felt/FeltMotion.h>
+#include <antinode_fingers/FeltMotion.h>
 
 #include <nlohmann/json.hpp>
 

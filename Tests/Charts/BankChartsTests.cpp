@@ -1,8 +1,8 @@
 #include "Support/SineBeam.h"
 #include "Support/SinePlate.h"
 
-#include <antinode_charts/BankCharts.h>
 #include <antinode_focus/BankPlaces.h>
+#include <antinode_reports/BankCharts.h>
 
 #include <catch2/catch.hpp>
 

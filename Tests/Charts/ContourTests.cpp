@@ -1,4 +1,4 @@
-#include <antinode_charts/Contours.h>
+#include <antinode_reports/Contours.h>
 
 #include <catch2/catch.hpp>
 

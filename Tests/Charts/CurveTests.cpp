@@ -1,6 +1,6 @@
-#include <antinode_charts/Curve.h>
-#include <antinode_charts/MapImage.h>
-#include <antinode_charts/PlotFrame.h>
+#include <antinode_reports/Curve.h>
+#include <antinode_reports/MapImage.h>
+#include <antinode_reports/PlotFrame.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <antinode_charts/Chart.h>
-#include <antinode_charts/Picture.h>
-#include <antinode_charts/Theme.h>
+#include <antinode_reports/Chart.h>
+#include <antinode_reports/Picture.h>
+#include <antinode_reports/Theme.h>
 
 #include <juce_graphics/juce_graphics.h>
 

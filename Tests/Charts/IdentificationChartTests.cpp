@@ -1,4 +1,4 @@
-#include <antinode_charts/IdentificationCharts.h>
+#include <antinode_reports/IdentificationCharts.h>
 
 #include <catch2/catch.hpp>
 

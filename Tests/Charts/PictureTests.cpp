@@ -1,7 +1,7 @@
 #include "ExampleCharts.h"
 
-#include <antinode_charts/Drawing.h>
-#include <antinode_charts/Lettering.h>
+#include <antinode_reports/Drawing.h>
+#include <antinode_reports/Lettering.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,9 +1,9 @@
 #include "Support/SinePlate.h"
 
-#include <antinode_charts/FocusCharts.h>
-#include <antinode_charts/PlateCharts.h>
 #include <antinode_focus/Projection.h>
 #include <antinode_focus/TargetField.h>
+#include <antinode_reports/FocusCharts.h>
+#include <antinode_reports/PlateCharts.h>
 
 #include <catch2/catch.hpp>
 

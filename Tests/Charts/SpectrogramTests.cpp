@@ -1,5 +1,5 @@
 #include <antinode_base/InputError.h>
-#include <antinode_charts/Spectrogram.h>
+#include <antinode_reports/Spectrogram.h>
 
 #include <catch2/catch.hpp>
 

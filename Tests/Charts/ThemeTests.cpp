@@ -1,4 +1,4 @@
-#include <antinode_charts/Theme.h>
+#include <antinode_reports/Theme.h>
 
 #include <catch2/catch.hpp>
 

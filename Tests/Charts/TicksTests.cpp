@@ -1,5 +1,5 @@
-#include <antinode_charts/Numbers.h>
-#include <antinode_charts/Ticks.h>
+#include <antinode_reports/Numbers.h>
+#include <antinode_reports/Ticks.h>
 
 #include <catch2/catch.hpp>
 

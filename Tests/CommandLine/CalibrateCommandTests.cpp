@@ -1,6 +1,6 @@
 #include "Support/RunProgram.h"
 
-#include <antinode_library/Inputs.h>
+#include <antinode_documents/Inputs.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>

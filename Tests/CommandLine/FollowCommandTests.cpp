@@ -1,6 +1,6 @@
 #include "Support/RunProgram.h"
 
-#include <antinode_library/Inputs.h>
+#include <antinode_documents/Inputs.h>
 #include <antinode_measurement/SimulatedBench.h>
 #include <antinode_text/OutputFolder.h>
 #include <antinode_text/WaveFile.h>

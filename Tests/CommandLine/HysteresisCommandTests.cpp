@@ -1,7 +1,7 @@
 #include "Support/RunProgram.h"
 
 #include <antinode_documents/DeviceFile.h>
-#include <antinode_library/Inputs.h>
+#include <antinode_documents/Inputs.h>
 #include <antinode_measurement/Hysteresis.h>
 #include <antinode_text/OutputFolder.h>
 

@@ -1,8 +1,8 @@
 #include "Support/RunProgram.h"
 
 #include <antinode_identification/IdentifiedModes.h>
+#include <antinode_responses/UniversalFile.h>
 #include <antinode_responses/UniversalResponses.h>
-#include <antinode_universal/UniversalFile.h>
 
 #include <nlohmann/json.hpp>
 

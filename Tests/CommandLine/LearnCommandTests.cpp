@@ -1,8 +1,8 @@
 #include "Support/RunProgram.h"
 
 #include <antinode_documents/DeviceFile.h>
+#include <antinode_documents/Inputs.h>
 #include <antinode_focus/Detuning.h>
-#include <antinode_library/Inputs.h>
 #include <antinode_measurement/SimulatedBench.h>
 #include <antinode_numerics/RandomNumbers.h>
 #include <antinode_text/JsonText.h>

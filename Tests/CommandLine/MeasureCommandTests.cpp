@@ -3,7 +3,7 @@
 
 #include <antinode_audio/AudioTypes.h>
 #include <antinode_documents/ExcitationFile.h>
-#include <antinode_library/Inputs.h>
+#include <antinode_documents/Inputs.h>
 #include <antinode_measurement/SimulatedBench.h>
 #include <antinode_responses/MeasurementReader.h>
 #include <antinode_text/JsonText.h>

@@ -1,6 +1,6 @@
 #include <antinode_tasks/PlaceOutcome.h>
 
-#include <antinode_library/Inputs.h>
+#include <antinode_documents/Inputs.h>
 
 #include <catch2/catch.hpp>
 

@@ -5,7 +5,7 @@
 #include "Support/ViscousChain.h"
 
 #include <antinode_documents/UniversalModes.h>
-#include <antinode_universal/UniversalFile.h>
+#include <antinode_responses/UniversalFile.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
 #include "Support/ErrorText.h"
 
 #include <antinode_base/WholeFile.h>
-#include <antinode_drawing/Drawing.h>
-#include <antinode_drawing/FreeCurve.h>
+#include <antinode_outline/Drawing.h>
+#include <antinode_outline/FreeCurve.h>
 #include <catch2/catch.hpp>
 
 #include <cmath>

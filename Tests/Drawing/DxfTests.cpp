@@ -1,6 +1,6 @@
 #include "Support/ErrorText.h"
 
-#include <antinode_drawing/Drawing.h>
+#include <antinode_outline/Drawing.h>
 #include <catch2/catch.hpp>
 
 #include <cmath>

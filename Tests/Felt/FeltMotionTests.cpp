@@ -1,4 +1,4 @@
-#include <antinode_felt/FeltMotion.h>
+#include <antinode_fingers/FeltMotion.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #include "Support/SineBeam.h"
 
-#include <antinode_library/SkinThresholds.h>
+#include <antinode_documents/SkinThresholds.h>
 #include <antinode_render/FeltTradeoff.h>
 
 #include <catch2/catch.hpp>

@@ -1,13 +1,13 @@
 #include "Charts/ExampleCharts.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_charts/BlankImage.h>
-#include <antinode_charts/Drawing.h>
-#include <antinode_figures/CairoContext.h>
-#include <antinode_figures/CairoHandles.h>
-#include <antinode_figures/FigureFiles.h>
-#include <antinode_figures/VectorFile.h>
 #include <antinode_numerics/ParallelFor.h>
+#include <antinode_reports/BlankImage.h>
+#include <antinode_reports/CairoContext.h>
+#include <antinode_reports/CairoHandles.h>
+#include <antinode_reports/Drawing.h>
+#include <antinode_reports/FigureFiles.h>
+#include <antinode_reports/VectorFile.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
 #include "Support/HeldPlate.h"
 
+#include <antinode_documents/Inputs.h>
+#include <antinode_documents/Library.h>
 #include <antinode_focus/WideDesign.h>
-#include <antinode_library/Inputs.h>
-#include <antinode_library/Library.h>
 #include <antinode_render/FingerMotion.h>
 
 #include <catch2/catch.hpp>

@@ -1,10 +1,10 @@
 #include "Support/SineBeam.h"
 #include "Support/SinePlate.h"
 
+#include <antinode_documents/Inputs.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/FieldLimits.h>
 #include <antinode_focus/Projection.h>
-#include <antinode_library/Inputs.h>
 #include <antinode_model/RigidMotion.h>
 #include <antinode_structure/DeviceDescription.h>
 

@@ -1,11 +1,11 @@
 #include "Support/ErrorText.h"
 #include "Support/SineBeam.h"
 
+#include <antinode_documents/SkinThresholds.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/FreeWaveform.h>
 #include <antinode_focus/Prediction.h>
-#include <antinode_library/SkinThresholds.h>
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "Fuzz.h"
 
-#include <antinode_drawing/Drawing.h>
+#include <antinode_outline/Drawing.h>
 
 #include <cmath>
 

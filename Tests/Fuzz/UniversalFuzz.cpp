@@ -1,7 +1,7 @@
 #include "Fuzz.h"
 
+#include <antinode_responses/UniversalFile.h>
 #include <antinode_responses/UniversalResponses.h>
-#include <antinode_universal/UniversalFile.h>
 
 /** Universal files: read, written, read again; what was written once stays the same. */
 void antinode::test::fuzz (std::string_view bytes)

@@ -2,8 +2,8 @@
 
 #include "Support/CircularPlates.h"
 
-#include <antinode_immersed/BendingModes.h>
 #include <antinode_outline/OutlineShapes.h>
+#include <antinode_structure/BendingModes.h>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "BendingExamples.h"
 
-#include <antinode_immersed/PatchShapes.h>
+#include <antinode_structure/PatchShapes.h>
 
 #include <numbers>
 

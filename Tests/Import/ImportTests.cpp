@@ -1,7 +1,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/WholeFile.h>
 #include <antinode_import/ImportedDevice.h>
-#include <antinode_universal/UniversalFile.h>
+#include <antinode_responses/UniversalFile.h>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_documents/UniversalModes.h>
 #include <antinode_import/ImportedDevice.h>
-#include <antinode_universal/UniversalFile.h>
+#include <antinode_responses/UniversalFile.h>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,10 +1,10 @@
 #include "Support/ErrorText.h"
 #include "Support/TemporaryFolder.h"
 
+#include <antinode_documents/DrawnOutline.h>
+#include <antinode_documents/Library.h>
 #include <antinode_documents/OutlineReader.h>
-#include <antinode_drawing/Drawing.h>
-#include <antinode_library/DrawnOutline.h>
-#include <antinode_library/Library.h>
+#include <antinode_outline/Drawing.h>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "Support/TemporaryFolder.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_library/Inputs.h>
+#include <antinode_documents/Inputs.h>
 #include <antinode_text/OutputFolder.h>
 #include <nlohmann/json.hpp>
 

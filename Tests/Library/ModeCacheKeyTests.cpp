@@ -2,7 +2,7 @@
 #include "Support/GridModel.h"
 #include "Support/TemporaryFolder.h"
 
-#include <antinode_library/ModeCache.h>
+#include <antinode_documents/ModeCache.h>
 
 #include <catch2/catch.hpp>
 

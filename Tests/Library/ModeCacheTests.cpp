@@ -6,7 +6,7 @@
 #include "Support/SineBeam.h"
 #include "Support/TemporaryFolder.h"
 
-#include <antinode_library/ModeCache.h>
+#include <antinode_documents/ModeCache.h>
 
 #include <catch2/catch.hpp>
 

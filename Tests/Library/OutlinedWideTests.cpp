@@ -1,5 +1,5 @@
+#include <antinode_documents/Inputs.h>
 #include <antinode_focus/SpillOver.h>
-#include <antinode_library/Inputs.h>
 #include <antinode_structure/OutlinedModel.h>
 
 #include <catch2/catch.hpp>

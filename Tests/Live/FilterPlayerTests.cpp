@@ -1,7 +1,7 @@
 #include "Support/AllocationCount.h"
 
-#include <antinode_live/FilterPlayer.h>
 #include <antinode_numerics/RandomNumbers.h>
+#include <antinode_tracks/FilterPlayer.h>
 
 #include <catch2/catch.hpp>
 

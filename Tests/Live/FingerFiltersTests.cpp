@@ -2,9 +2,9 @@
 #include "Support/SinePlate.h"
 
 #include <antinode_base/Watch.h>
-#include <antinode_live/LiveTracks.h>
 #include <antinode_render/PlayedTracks.h>
 #include <antinode_render/TrackScores.h>
+#include <antinode_tracks/LiveTracks.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
-#include <antinode_live/FilterGains.h>
-#include <antinode_live/FilterPlayer.h>
-#include <antinode_live/InputMotion.h>
 #include <antinode_numerics/RandomNumbers.h>
+#include <antinode_tracks/FilterGains.h>
+#include <antinode_tracks/FilterPlayer.h>
+#include <antinode_tracks/InputMotion.h>
 
 #include <catch2/catch.hpp>
 

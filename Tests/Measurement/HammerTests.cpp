@@ -8,7 +8,7 @@
 #include <antinode_identification/RecordEffects.h>
 #include <antinode_responses/HammerMeasurement.h>
 #include <antinode_responses/MeasurementReader.h>
-#include <antinode_universal/UniversalFile.h>
+#include <antinode_responses/UniversalFile.h>
 
 #include <catch2/catch.hpp>
 

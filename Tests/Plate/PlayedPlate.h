@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_library/Library.h>
+#include <antinode_documents/Library.h>
 #include <antinode_session/FocusSettings.h>
 
 #include <Plate/PlateProcessor.h>

@@ -2,8 +2,8 @@
 
 #include <Processor/ParameterSet.h>
 #include <Support/JuceMessages.h>
+#include <antinode_documents/Library.h>
 #include <antinode_focus/Prediction.h>
-#include <antinode_library/Library.h>
 #include <nlohmann/json.hpp>
 
 #include <catch2/catch.hpp>

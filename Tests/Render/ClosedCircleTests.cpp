@@ -1,4 +1,4 @@
-#include <antinode_library/Inputs.h>
+#include <antinode_documents/Inputs.h>
 
 #include <Support/ClosedCircle.h>
 

@@ -1,7 +1,7 @@
+#include <antinode_documents/Inputs.h>
 #include <antinode_documents/SkinThresholdFile.h>
+#include <antinode_documents/SkinThresholds.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_library/Inputs.h>
-#include <antinode_library/SkinThresholds.h>
 #include <antinode_render/RenderedFocus.h>
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
+#include <antinode_documents/Inputs.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/EventPeak.h>
-#include <antinode_library/Inputs.h>
 #include <antinode_render/Summary.h>
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
+#include <antinode_documents/Inputs.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_library/Inputs.h>
 #include <antinode_render/FocusPower.h>
 #include <antinode_render/RenderedFocus.h>
 

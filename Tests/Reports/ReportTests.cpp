@@ -1,9 +1,9 @@
-#include <antinode_charts/Picture.h>
-#include <antinode_charts/Theme.h>
-#include <antinode_charts/Utf8.h>
 #include <antinode_reports/Html.h>
+#include <antinode_reports/Picture.h>
 #include <antinode_reports/Report.h>
 #include <antinode_reports/ReportStyle.h>
+#include <antinode_reports/Theme.h>
+#include <antinode_reports/Utf8.h>
 
 #include <juce_core/juce_core.h>
 

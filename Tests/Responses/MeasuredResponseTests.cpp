@@ -2,8 +2,8 @@
 
 #include <antinode_responses/CsvHeading.h>
 #include <antinode_responses/MeasurementReader.h>
+#include <antinode_responses/UniversalFile.h>
 #include <antinode_responses/UniversalResponses.h>
-#include <antinode_universal/UniversalFile.h>
 
 #include <catch2/catch.hpp>
 

@@ -4,8 +4,8 @@
 
 #include <Support/ErrorText.h>
 
+#include <antinode_responses/UniversalFile.h>
 #include <antinode_text/WaveFile.h>
-#include <antinode_universal/UniversalFile.h>
 
 #include <catch2/catch.hpp>
 

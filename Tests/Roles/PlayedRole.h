@@ -3,7 +3,7 @@
 #include <Plate/PlateProcessor.h>
 #include <Processor/AntinodeProcessor.h>
 #include <Touch/TouchProcessor.h>
-#include <antinode_library/Library.h>
+#include <antinode_documents/Library.h>
 #include <nlohmann/json.hpp>
 
 #include <Eigen/Core>

@@ -4,7 +4,7 @@
 
 #include "Support/TemporaryFolder.h"
 
-#include <antinode_library/Library.h>
+#include <antinode_documents/Library.h>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -1,9 +1,9 @@
 #include "SectionReferences.h"
 
-#include <antinode_immersed/BendingModes.h>
-#include <antinode_immersed/PatchShapes.h>
 #include <antinode_outline/OutlineShapes.h>
+#include <antinode_structure/BendingModes.h>
 #include <antinode_structure/Capacitance.h>
+#include <antinode_structure/PatchShapes.h>
 
 #include <numbers>
 

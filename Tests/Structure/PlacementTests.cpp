@@ -1,7 +1,7 @@
 #include "PlateExamples.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_library/Inputs.h>
+#include <antinode_documents/Inputs.h>
 #include <antinode_outline/OutlineShapes.h>
 #include <antinode_structure/Controllability.h>
 #include <antinode_structure/Placing.h>

@@ -1,8 +1,8 @@
 #include "Support/ErrorText.h"
 #include "Support/TemporaryFolder.h"
 
+#include <antinode_documents/Inputs.h>
 #include <antinode_focus/Tolerance.h>
-#include <antinode_library/Inputs.h>
 #include <antinode_sweep/CaseEvaluator.h>
 #include <antinode_sweep/SweepCases.h>
 #include <antinode_sweep/SweepFolder.h>

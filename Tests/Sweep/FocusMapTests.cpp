@@ -1,10 +1,10 @@
 #include "Support/ErrorText.h"
 
+#include <antinode_documents/Inputs.h>
+#include <antinode_documents/SkinThresholds.h>
 #include <antinode_focus/BankPlaces.h>
 #include <antinode_focus/FocusScore.h>
 #include <antinode_focus/Prediction.h>
-#include <antinode_library/Inputs.h>
-#include <antinode_library/SkinThresholds.h>
 #include <antinode_render/RenderedFocus.h>
 #include <antinode_sweep/FocusMap.h>
 

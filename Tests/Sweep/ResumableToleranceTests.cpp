@@ -1,9 +1,9 @@
 #include "Support/TemporaryFolder.h"
 
+#include <antinode_documents/Inputs.h>
+#include <antinode_documents/Library.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/Detuning.h>
-#include <antinode_library/Inputs.h>
-#include <antinode_library/Library.h>
 #include <antinode_sweep/Deviation.h>
 #include <antinode_sweep/ResumableTolerance.h>
 #include <antinode_sweep/SweepCases.h>

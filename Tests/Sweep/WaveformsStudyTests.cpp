@@ -2,9 +2,9 @@
 #include "Support/TemporaryFolder.h"
 
 #include <antinode_base/Prefixes.h>
-#include <antinode_library/Inputs.h>
-#include <antinode_library/SkinThresholds.h>
-#include <antinode_library/TrackModels.h>
+#include <antinode_documents/Inputs.h>
+#include <antinode_documents/SkinThresholds.h>
+#include <antinode_documents/TrackModels.h>
 #include <antinode_render/PerformedWaveforms.h>
 #include <antinode_sweep/CaseEvaluator.h>
 #include <antinode_sweep/RecordedSignals.h>

@@ -1,5 +1,5 @@
-#include <antinode_felt/FeltDisplacement.h>
-#include <antinode_felt/FeltMotion.h>
+#include <antinode_fingers/FeltDisplacement.h>
+#include <antinode_fingers/FeltMotion.h>
 #include <antinode_numerics/Fourier.h>
 #include <antinode_numerics/SampleInterpolation.h>
 #include <antinode_tracks/WantedMotion.h>

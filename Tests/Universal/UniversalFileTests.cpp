@@ -1,7 +1,7 @@
 #include "Support/ErrorText.h"
 #include "Support/RunProgram.h"
 
-#include <antinode_universal/UniversalFile.h>
+#include <antinode_responses/UniversalFile.h>
 
 #include <nlohmann/json.hpp>
 

@@ -3,8 +3,8 @@
 #include "Structure/PlateExamples.h"
 
 #include <antinode_documents/FocusWords.h>
+#include <antinode_documents/Inputs.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_library/Inputs.h>
 #include <antinode_structure/DeviceDescription.h>
 
 #include <array>

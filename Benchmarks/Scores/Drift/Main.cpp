@@ -1,11 +1,11 @@
 #include <antinode_base/InputError.h>
+#include <antinode_documents/Inputs.h>
+#include <antinode_documents/Library.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/Detuning.h>
 #include <antinode_focus/SpillOver.h>
 #include <antinode_learning/DriftTrace.h>
 #include <antinode_learning/LowerRate.h>
-#include <antinode_library/Inputs.h>
-#include <antinode_library/Library.h>
 #include <antinode_numerics/Median.h>
 #include <antinode_numerics/RandomNumbers.h>
 

@@ -1,5 +1,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/Processes.h>
+#include <antinode_documents/Inputs.h>
+#include <antinode_documents/Library.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/Detuning.h>
 #include <antinode_focus/ModeWeighing.h>
@@ -7,8 +9,6 @@
 #include <antinode_learning/LearningPasses.h>
 #include <antinode_learning/Retuning.h>
 #include <antinode_learning/UsualDeviations.h>
-#include <antinode_library/Inputs.h>
-#include <antinode_library/Library.h>
 #include <antinode_measurement/SimulatedBench.h>
 #include <antinode_numerics/Median.h>
 #include <antinode_numerics/RandomNumbers.h>

@@ -3,7 +3,7 @@
 #include "OutlineScores.h"
 
 #include <antinode_base/NumberText.h>
-#include <antinode_immersed/PatchShapes.h>
+#include <antinode_structure/PatchShapes.h>
 
 #include <Eigen/LU>
 

@@ -8,12 +8,12 @@
 // frequency.
 
 #include <antinode_allocation/LowerBound.h>
+#include <antinode_documents/Inputs.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/BankPlaces.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/DesignSteps.h>
 #include <antinode_focus/FocusScore.h>
-#include <antinode_library/Inputs.h>
 #include <antinode_numerics/Median.h>
 #include <antinode_session/PlaceDesigner.h>
 

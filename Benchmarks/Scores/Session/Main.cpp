@@ -3,9 +3,9 @@
 //
 //     antinode_bank_scores device focus [places [limit in V...]]
 
+#include <antinode_documents/Inputs.h>
 #include <antinode_focus/BankPlaces.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_library/Inputs.h>
 #include <antinode_numerics/Median.h>
 #include <antinode_session/PlaceDesigner.h>
 

@@ -1,12 +1,12 @@
 #include "SolidPlate.h"
 
 #include <antinode_documents/DeviceFile.h>
+#include <antinode_documents/Library.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/ModeWeighing.h>
 #include <antinode_learning/LearningPasses.h>
 #include <antinode_learning/Retuning.h>
 #include <antinode_learning/UsualDeviations.h>
-#include <antinode_library/Library.h>
 #include <antinode_model/ShapesAtPlaces.h>
 #include <antinode_numerics/RandomNumbers.h>
 #include <antinode_structure/DeviceDescription.h>

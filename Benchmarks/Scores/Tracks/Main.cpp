@@ -6,7 +6,7 @@
 
 #include "ScoreTools.h"
 
-#include <antinode_live/LiveTracks.h>
+#include <antinode_tracks/LiveTracks.h>
 
 #include <chrono>
 #include <cstdio>

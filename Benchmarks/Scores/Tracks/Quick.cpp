@@ -1,9 +1,9 @@
 #include "ScoreTools.h"
 
 #include <antinode_fingers/LoadedModel.h>
-#include <antinode_live/FilterPlayer.h>
-#include <antinode_live/LiveTracks.h>
-#include <antinode_live/QuickFilterDesigner.h>
+#include <antinode_tracks/FilterPlayer.h>
+#include <antinode_tracks/LiveTracks.h>
+#include <antinode_tracks/QuickFilterDesigner.h>
 
 #include <cmath>
 #include <cstdio>

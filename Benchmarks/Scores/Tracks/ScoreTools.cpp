@@ -1,7 +1,7 @@
 #include "ScoreTools.h"
 
-#include <antinode_library/Inputs.h>
-#include <antinode_library/SkinThresholds.h>
+#include <antinode_documents/Inputs.h>
+#include <antinode_documents/SkinThresholds.h>
 #include <antinode_numerics/RandomNumbers.h>
 #include <antinode_render/PlayedTracks.h>
 

@@ -1,10 +1,10 @@
 #include "PlateBench.h"
 
+#include <antinode_documents/Inputs.h>
+#include <antinode_documents/Library.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/Detuning.h>
 #include <antinode_focus/SpillOver.h>
-#include <antinode_library/Inputs.h>
-#include <antinode_library/Library.h>
 #include <antinode_model/IdleCeramics.h>
 #include <antinode_numerics/RandomNumbers.h>
 

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "Chart.h"
+
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** How wide a picture in a report is where it does not say, pixels at scale 1. */
+inline constexpr int reportFigureWidth = 900;
+
+/** A picture in a report. */
+struct ReportFigure
+{
+    std::string caption;         ///< A sentence or two below the picture.
+    std::string alternativeText; ///< Text alternative of the picture; the caption if empty.
+    Chart chart;
+    int width = reportFigureWidth, height = 360; ///< Pixels at scale 1.
+    float scale = 2;                             ///< Of the picture: 2 for text and lines, 1 for many coloured maps.
+};
+
+/** A table: cells that are numbers are aligned at the right. */
+struct ReportTable
+{
+    std::string caption;
+    std::vector<std::string> header;
+    std::vector<std::vector<std::string>> rows;
+};
+
+/** A part of a page: text, then figures, then tables. */
+struct ReportSection
+{
+    std::string heading;
+    std::vector<std::string> paragraphs;
+    std::vector<ReportFigure> figures;
+    std::vector<ReportTable> tables;
+};
+
+/** A key number of the report. */
+struct ReportScore
+{
+    std::string name;
+    std::string value;    ///< With its unit.
+    std::string sentence; ///< Its meaning.
+};
+
+/** Another page in the same folder. */
+struct ReportLink
+{
+    std::string text;
+    std::string file; ///< A file in the folder of this page.
+};
+
+/** A whole page. All text is plain UTF-8: whatever it contains is shown as it is. */
+struct ReportPage
+{
+    std::string title, subtitle;
+    std::vector<ReportLink> links;
+    std::vector<ReportScore> scores;
+    std::vector<std::string> warnings;
+    std::vector<ReportSection> sections;
+    std::string footer;
+};
+
+/** A page as one self-contained HTML file: no network, no scripts, light and dark pictures inside. The same bytes for
+   the same page on every run. Draws on as many threads as the machine has.
+    @throws InputError  what renderPng() throws
+    [worker] */
+std::string renderReport (const ReportPage&);
+} // namespace antinode

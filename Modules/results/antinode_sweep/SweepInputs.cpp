@@ -1,0 +1,77 @@
+#include "SweepInputs.h"
+
+#include "RecordedSignals.h"
+#include "SweepPart.h"
+
+#include <antinode_documents/Inputs.h>
+#include <antinode_text/JsonText.h>
+
+#include <utility>
+
+namespace antinode
+{
+namespace
+{
+constexpr auto usualDevice = "staple", usualTrackDevice = "glass-148x210";
+
+/** What the library takes: a file's name begins at the plan's folder. */
+std::string nameFrom (const nlohmann::json& json, const std::filesystem::path& plan)
+{
+    const auto name = json.get<std::string>();
+    return isFileName (name) ? (plan.parent_path() / name).string() : name;
+}
+
+/** The document itself, or that of a name, which it gets where it has none; with its recordings in it. */
+nlohmann::json playedDocument (LibraryKind kind, const nlohmann::json& json, const std::filesystem::path& plan)
+{
+    const auto name = json.is_object() ? plan.string() : nameFrom (json, plan);
+    auto document = json.is_object() ? json : loadDocument (kind, name);
+
+    if (json.is_string() && document.is_object() && ! document.contains ("name"))
+        document["name"] = std::filesystem::path (name).stem().string();
+
+    if (kind == LibraryKind::focus)
+        return document;
+
+    const auto source = json.is_object() ? name : documentSource (kind, name);
+    return withRecordings (std::move (document), source, std::filesystem::path (name).parent_path());
+}
+
+nlohmann::json deviceDocument (const SweepPlan& plan, const std::filesystem::path& file)
+{
+    if (plan.device.is_object())
+        return plan.device;
+
+    if (plan.device.is_string())
+        return loadDocument (LibraryKind::device, nameFrom (plan.device, file));
+
+    const auto kind = plan.isOfWaveforms() ? LibraryKind::waveforms : LibraryKind::focus;
+    const auto& played = plan.isOfWaveforms() ? plan.waveforms : plan.focus;
+    const auto named = played.is_string() ? namedDevice (kind, nameFrom (played, file), {}) : std::string();
+    const auto* const usual = plan.isOfWaveforms() ? usualTrackDevice : usualDevice;
+    return loadDocument (LibraryKind::device, named.empty() ? usual : named);
+}
+} // namespace
+
+SweepInputs sweepInputs (nlohmann::json document, const std::filesystem::path& file)
+{
+    SweepInputs inputs;
+    inputs.document = std::move (document);
+    inputs.plan = readSweepPlan (inputs.document, file.string());
+    const auto device = deviceDocument (inputs.plan, file);
+
+    if (inputs.plan.isOfWaveforms())
+        inputs.document["waveforms"] = playedDocument (LibraryKind::waveforms, inputs.plan.waveforms, file);
+    else
+        inputs.document["focus"] = playedDocument (LibraryKind::focus, inputs.plan.focus, file);
+
+    inputs.document["device"] = device;
+    inputs.hash = hashOf (inputs.document.dump());
+    return inputs;
+}
+
+SweepInputs loadSweep (const std::filesystem::path& file)
+{
+    return sweepInputs (readJsonFile (file), file);
+}
+} // namespace antinode
