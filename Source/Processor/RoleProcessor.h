@@ -54,6 +54,10 @@ protected:
     void close()
     {
         end();
+
+        if (player != nullptr)
+            session().leave(); // Before the pointer is empty: until then its thread asks for it.
+
         player.reset();
     }
 
