@@ -193,10 +193,10 @@ void PlateContent::nameProbes()
 void PlateContent::showLevels (double seconds)
 {
     auto& meters = processor.session().meters();
-    std::vector<double> velocities;
+    std::vector<double> velocities (PlatePath::probes);
 
     for (int i = 0; i < PlatePath::probes; ++i)
-        velocities.push_back (milli * static_cast<double> (meters.takeProbe (i)));
+        velocities[static_cast<std::size_t> (i)] = milli * static_cast<double> (meters.takeProbe (i));
 
     probes.refresh (velocities, seconds);
     voltages.showVoltages (snapshot->model.get(), meters, seconds);

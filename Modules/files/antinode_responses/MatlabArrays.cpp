@@ -29,12 +29,6 @@ constexpr std::array<std::string_view, 7> angularNames {
 constexpr std::array<std::string_view, 5> startNames { "start_value", "f_start", "fstart", "fmin", "f0" };
 constexpr std::array<std::string_view, 4> incrementNames { "increment", "df", "delta_f", "deltaf" };
 
-template <typename Names>
-bool isOneOf (const MatlabVariable& variable, const Names& names)
-{
-    return std::find (names.begin(), names.end(), shortName (variable)) != names.end();
-}
-
 bool isVector (const MatlabVariable& variable)
 {
     return variable.real.size() > 1 && variable.imaginary.empty()

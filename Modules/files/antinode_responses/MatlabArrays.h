@@ -3,6 +3,8 @@
 #include "CsvResponses.h"
 #include "MatlabFile.h"
 
+#include <algorithm>
+
 namespace antinode
 {
 /** A complex array of a MATLAB file with the frequencies of its lines. */
@@ -14,6 +16,13 @@ struct ResponseArray
 
 /** The names of a variable and of the structures it is in, from outside. [any] */
 std::vector<std::string> pathOf (const MatlabVariable&);
+
+/** Whether the short name of a variable is one of these. [any] */
+template <typename Names>
+bool isOneOf (const MatlabVariable& variable, const Names& names)
+{
+    return std::find (names.begin(), names.end(), shortName (variable)) != names.end();
+}
 
 /** How many of these names two variables share from outside. [any] */
 std::size_t sharedPath (const MatlabVariable&, const MatlabVariable&);

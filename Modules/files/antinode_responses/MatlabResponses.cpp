@@ -28,12 +28,6 @@ constexpr std::array<std::string_view, 8> placeNames { "points", "points_mm",   
                                                        "nodes",  "coordinates", "coords", "geometry" };
 constexpr std::array<std::string_view, 5> unitNames { "unit", "units", "quantity", "response_unit", "label" };
 
-template <typename Names>
-bool isOneOf (const MatlabVariable& variable, const Names& names)
-{
-    return std::find (names.begin(), names.end(), shortName (variable)) != names.end();
-}
-
 using Arrays = std::vector<ResponseArray>;
 
 /** Whether a name says that an array is a spectrum or a coherence, not a response. */
