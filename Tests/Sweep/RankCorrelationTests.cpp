@@ -1,4 +1,4 @@
-#include <antinode_sweep/RankCorrelation.h>
+#include <antinode_sweep/SweepSummary.h>
 
 #include <catch2/catch.hpp>
 

@@ -24,6 +24,9 @@ struct SweepSummary
     std::vector<ColumnSummary> columns;
 };
 
+/** Spearman's correlation of ranks, of the pairs that have both; 0 where one of them does not vary. [worker] */
+double rankCorrelation (const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+
 /** [worker] */
 SweepSummary summarise (const SweepTable&);
 
