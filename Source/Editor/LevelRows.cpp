@@ -58,6 +58,7 @@ void LevelRows::showVoltages (const ModalModel* model, LevelMeters& meters, doub
 {
     std::vector<Row> ceramics;
     std::vector<double> volts;
+    volts.reserve (LevelMeters::ceramics);
 
     // All are taken: what one device has played is not the next one's.
     for (int i = 0; i < LevelMeters::ceramics; ++i)

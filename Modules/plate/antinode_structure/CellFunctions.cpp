@@ -122,12 +122,14 @@ void CellFunctions::writeDerivative (int dx, int dy, Eigen::Ref<Eigen::MatrixXd>
                     factors.emplace_back (binomial (dx, i) * binomial (dy, j) * kinkDerivative (*last, i, j));
         }
 
+        auto factor = factors.cbegin();
+
         for (int j = 0; j <= dy; ++j)
-            for (int i = 0; i <= dx; ++i)
-                if (const auto& factor = factors[static_cast<std::size_t> (i + j * (dx + 1))]; i == 0 && j == 0)
-                    column = factor.cwiseProduct (product (dx, dy));
+            for (int i = 0; i <= dx; ++i, ++factor)
+                if (i == 0 && j == 0)
+                    column = factor->cwiseProduct (product (dx, dy));
                 else
-                    column += factor.cwiseProduct (product (dx - i, dy - j));
+                    column += factor->cwiseProduct (product (dx - i, dy - j));
     }
 }
 } // namespace antinode
