@@ -36,7 +36,7 @@ void PlateProcessor::setState (const SessionState& wanted, bool)
 DeviceProcessor::Playing PlateProcessor::playing() const
 {
     const auto now = session().snapshot();
-    return { now->model, now->error, session().meters().isMutedForBadNumbers(), session().latencySamples() };
+    return { now->model, now->error, session().latencySamples(), &session().meters() };
 }
 
 juce::AudioProcessorEditor* PlateProcessor::createEditor()

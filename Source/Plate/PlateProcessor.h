@@ -38,9 +38,9 @@ public:
     const juce::String getName() const override { return "Antinode Plate"; }
     double getTailLengthSeconds() const override { return session().tailSeconds(); }
     juce::AudioProcessorEditor* createEditor() override;
+    Playing playing() const override;
     bool hasEditor() const override { return true; }
 
 private:
-    Playing playing() const override;
 };
 } // namespace antinode

@@ -180,8 +180,8 @@ void AntinodeProcessor::putDown (const std::vector<Finger>& own, const std::vect
 DeviceProcessor::Playing AntinodeProcessor::playing() const
 {
     const auto now = session().snapshot();
-    return { now->model, now->error.empty() ? now->fingerError : now->error, session().meters().isMutedForBadNumbers(),
-             session().latencySamples(), &session().following() };
+    return { now->model, now->error.empty() ? now->fingerError : now->error, session().latencySamples(),
+             &session().meters(), &session().following() };
 }
 
 /** Those of the device before are over. */

@@ -61,11 +61,11 @@ public:
     double getTailLengthSeconds() const override { return session().tailSeconds(); }
     bool acceptsMidi() const override { return true; }
     juce::AudioProcessorEditor* createEditor() override { return makeEditor ? makeEditor (*this) : nullptr; }
+    Playing playing() const override;
     bool hasEditor() const override { return makeEditor != nullptr; }
 
 private:
     AntinodeProcessor (int ceramics, WrapperType wrapper, const SessionState& first);
-    Playing playing() const override;
     std::vector<UserMessage> ownMessages() const override;
     void complete (PlayControls& now) const override { now.mutes = mutedCeramics; }
     std::shared_ptr<const FocusDocument> keptFocus() const;

@@ -7,16 +7,10 @@
 #include <antinode_session/FollowingWords.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace antinode
 {
-namespace
-{
-constexpr int mostMonitors = 2;
-} // namespace
-
 juce::AudioProcessor::BusesProperties DeviceProcessor::properties (const Buses& buses, WrapperType wrapper)
 {
     const auto isVST3 = wrapper == wrapperType_VST3;
@@ -118,7 +112,7 @@ std::vector<UserMessage> DeviceProcessor::messages() const
         addMessage (messages, Urgency::warning, stateWarning.toStdString());
     }
 
-    if (now.isMuted)
+    if (now.meters != nullptr && now.meters->isMutedForBadNumbers())
         addMessage (messages, Urgency::warning,
                     "A sample was not a finite number: all voltages are 0 V until playback starts again.");
 
@@ -178,9 +172,8 @@ void DeviceProcessor::prepareToPlay (double sampleRate, int)
 }
 
 template <typename Sample>
-void DeviceProcessor::play (juce::AudioBuffer<Sample>& buffer, const juce::MidiBuffer& midi, bool isBypassed)
+bool DeviceProcessor::wire (juce::AudioBuffer<Sample>& buffer, const juce::MidiBuffer& midi, WiredBlock<Sample>& wired)
 {
-    const juce::ScopedNoDenormals noDenormals;
     const auto count = buffer.getNumSamples();
     const auto wires =
         std::max (static_cast<int> (std::max (inputOrder.size(), outputOrder.size())), sensorChannel + 1);
@@ -189,40 +182,34 @@ void DeviceProcessor::play (juce::AudioBuffer<Sample>& buffer, const juce::MidiB
     if (buffer.getNumChannels() < wires)
     {
         buffer.clear();
-        return;
+        return false;
     }
 
-    std::array<const Sample*, maximumCeramics> in {};
-    std::array<Sample*, maximumCeramics + mostMonitors> out {};
-
     for (std::size_t k = 0; k < inputOrder.size(); ++k)
-        in[k] = buffer.getReadPointer (inputOrder[k]);
+        wired.inputs[k] = buffer.getReadPointer (inputOrder[k]);
 
     for (std::size_t k = 0; k < outputOrder.size(); ++k)
-        out[k] = buffer.getWritePointer (outputOrder[k]);
+        wired.outputs[k] = buffer.getWritePointer (outputOrder[k]);
 
     const auto main = outputOrder.size() - monitors;
-    AudioBlock<Sample> block { { in.data(), inputOrder.size() },
-                               { out.data(), main },
-                               { out.data() + main, monitors },
-                               count,
-                               acceptsMidi() ? triggers.read (midi, count) : std::span<const FocusEvent>(),
-                               sensorChannel >= 0 ? buffer.getReadPointer (sensorChannel) : nullptr };
+    wired.block = { { wired.inputs.data(), inputOrder.size() },
+                    { wired.outputs.data(), main },
+                    { wired.outputs.data() + main, monitors },
+                    count,
+                    acceptsMidi() ? triggers.read (midi, count) : std::span<const FocusEvent>(),
+                    sensorChannel >= 0 ? buffer.getReadPointer (sensorChannel) : nullptr };
 
     if (isNonRealtime())
     {
-        waitUntilSettled (block.events);
-        block.sensor = nullptr; // A bounce does not depend on how quick its windows are.
+        waitUntilSettled (wired.block.events);
+        wired.block.sensor = nullptr; // A bounce does not depend on how quick its windows are.
     }
 
-    playBlock (block, isBypassed);
-
-    for (auto i = static_cast<int> (outputOrder.size()); i < buffer.getNumChannels(); ++i)
-        buffer.clear (i, 0, count);
+    return true;
 }
 
-template void DeviceProcessor::play (juce::AudioBuffer<float>&, const juce::MidiBuffer&, bool);
-template void DeviceProcessor::play (juce::AudioBuffer<double>&, const juce::MidiBuffer&, bool);
+template bool DeviceProcessor::wire (juce::AudioBuffer<float>&, const juce::MidiBuffer&, WiredBlock<float>&);
+template bool DeviceProcessor::wire (juce::AudioBuffer<double>&, const juce::MidiBuffer&, WiredBlock<double>&);
 
 /** A host prepares us on a thread of its own while messages run on another. Who comes second leaves it to a message
    that follows: to wait would block a host that waits for the other thread when informed of the latency. */

@@ -8,11 +8,14 @@
 #include <antinode_graph/MidiTriggers.h>
 #include <antinode_session/AudioBlock.h>
 #include <antinode_session/FollowingRequests.h>
+#include <antinode_session/LevelMeters.h>
 #include <antinode_session/SessionState.h>
 #include <antinode_session/UserMessages.h>
 
 #include <juce_audio_processors/juce_audio_processors.h>
 
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -29,9 +32,23 @@ class DeviceProcessor : public juce::AudioProcessor, public VST3Extensions
 {
 public:
     static constexpr int maximumCeramics = 64; ///< Channels of a bus.
+    static constexpr int mostMonitors = 2;
 
     /** The loaded device. [any but the audio thread] */
     std::shared_ptr<const DeviceDocument> device() const;
+
+    /** What a session plays. */
+    struct Playing
+    {
+        std::shared_ptr<const ModalModel> model; ///< None before the first device is solved.
+        std::string error;                       ///< Why the device that was asked for cannot be played.
+        std::int64_t latency = 0;                ///< Samples.
+        LevelMeters* meters = nullptr;           ///< Live as long as the processor; none: it has none.
+        const FollowingRequests* following = nullptr;
+    };
+
+    /** [any but the audio thread] */
+    virtual Playing playing() const = 0;
 
     /** All that a host would keep. [message thread] */
     virtual SessionState state() const = 0;
@@ -56,22 +73,6 @@ public:
     bool canRemoveBus (bool) const override { return false; }
     bool isBusesLayoutSupported (const BusesLayout&) const override;
     void prepareToPlay (double sampleRate, int longestBlock) override;
-    void processBlock (juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) override
-    {
-        play (buffer, midi, false);
-    }
-    void processBlock (juce::AudioBuffer<double>& buffer, juce::MidiBuffer& midi) override
-    {
-        play (buffer, midi, false);
-    }
-    void processBlockBypassed (juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) override
-    {
-        play (buffer, midi, true);
-    }
-    void processBlockBypassed (juce::AudioBuffer<double>& buffer, juce::MidiBuffer& midi) override
-    {
-        play (buffer, midi, true);
-    }
     juce::AudioProcessorParameter* getBypassParameter() const override { return &parameterSet().bypass(); }
     bool acceptsMidi() const override { return false; }
     bool producesMidi() const override { return false; }
@@ -99,16 +100,6 @@ protected:
         bool hasSensor = false, hasMonitor = false;
     };
 
-    /** What a session plays. */
-    struct Playing
-    {
-        std::shared_ptr<const ModalModel> model; ///< None before the first device is solved.
-        std::string error;                       ///< Why the device that was asked for cannot be played.
-        bool isMuted = false;                    ///< By a number that was not finite.
-        std::int64_t latency = 0;                ///< Samples.
-        const FollowingRequests* following = nullptr;
-    };
-
     /** @param role  of its states; lasts longer @param first  the device that it starts with [message thread] */
     DeviceProcessor (const Buses&, WrapperType, const SessionRole& role, std::shared_ptr<const DeviceDocument> first);
 
@@ -128,20 +119,27 @@ protected:
     /** Another device is the loaded one; warnings of a state are over. [any but the audio thread] */
     void keep (std::shared_ptr<const DeviceDocument>);
 
+    /** A host's block with its channels in the order of their wires. */
+    template <typename Sample>
+    struct WiredBlock
+    {
+        std::array<const Sample*, maximumCeramics> inputs {};
+        std::array<Sample*, maximumCeramics + mostMonitors> outputs {};
+        AudioBlock<Sample> block;
+    };
+
+    /** @return  false where the host has handed over too few channels: then the buffer is silent [audio thread] */
+    template <typename Sample>
+    bool wire (juce::AudioBuffer<Sample>&, const juce::MidiBuffer&, WiredBlock<Sample>&);
+
     mutable juce::CriticalSection documents; ///< For what is loaded, as the next line.
     std::shared_ptr<const DeviceDocument> loadedDevice;
 
 private:
     virtual void prepareSession (double sampleRate) = 0;
     virtual ParameterSet& parameterSet() const = 0;
-    virtual Playing playing() const = 0;
     virtual std::vector<UserMessage> ownMessages() const { return {}; } ///< Of its role.
     virtual void waitUntilSettled (std::span<const FocusEvent> notes) = 0;
-    virtual void playBlock (const AudioBlock<float>&, bool isBypassed) = 0;
-    virtual void playBlock (const AudioBlock<double>&, bool isBypassed) = 0;
-
-    template <typename Sample>
-    void play (juce::AudioBuffer<Sample>&, const juce::MidiBuffer&, bool isBypassed);
     void orderWires();
     static BusesProperties properties (const Buses&, WrapperType);
     int sensorBus() const { return buses.input ? 1 : 0; } ///< Index among the inputs.

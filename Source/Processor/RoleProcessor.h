@@ -19,6 +19,23 @@ template <typename SessionType, typename ParametersType>
 class RoleProcessor : public DeviceProcessor
 {
 public:
+    void processBlock (juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) override
+    {
+        play (buffer, midi, false);
+    }
+    void processBlock (juce::AudioBuffer<double>& buffer, juce::MidiBuffer& midi) override
+    {
+        play (buffer, midi, false);
+    }
+    void processBlockBypassed (juce::AudioBuffer<float>& buffer, juce::MidiBuffer& midi) override
+    {
+        play (buffer, midi, true);
+    }
+    void processBlockBypassed (juce::AudioBuffer<double>& buffer, juce::MidiBuffer& midi) override
+    {
+        play (buffer, midi, true);
+    }
+
     SessionType& session() const { return **player; }
     ParametersType& parameters() const { return *controls; }
 
@@ -78,16 +95,23 @@ private:
     void prepareSession (double sampleRate) override { session().prepare (formatAt (sampleRate)); }
     ParameterSet& parameterSet() const override { return *controls; }
     void waitUntilSettled (std::span<const FocusEvent> notes) override { session().waitUntilSettled (notes); }
-    void playBlock (const AudioBlock<float>& block, bool isBypassed) override { playControlled (block, isBypassed); }
-    void playBlock (const AudioBlock<double>& block, bool isBypassed) override { playControlled (block, isBypassed); }
 
     template <typename Sample>
-    void playControlled (const AudioBlock<Sample>& block, bool isBypassed)
+    void play (juce::AudioBuffer<Sample>& buffer, const juce::MidiBuffer& midi, bool isBypassed)
     {
-        auto now = controls->controls();
-        complete (now);
-        now.isArmed = now.isArmed && ! isBypassed;
-        session().process (block, now);
+        const juce::ScopedNoDenormals noDenormals;
+
+        if (WiredBlock<Sample> wired; wire (buffer, midi, wired))
+        {
+            auto now = controls->controls();
+            complete (now);
+            now.isArmed = now.isArmed && ! isBypassed;
+            session().process (wired.block, now);
+
+            for (auto i = static_cast<int> (wired.block.outputs.size() + wired.block.monitor.size());
+                 i < buffer.getNumChannels(); ++i)
+                buffer.clear (i, 0, wired.block.count); // Inputs that are no outputs.
+        }
     }
 
     std::unique_ptr<ParametersType> controls;

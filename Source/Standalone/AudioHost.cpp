@@ -28,18 +28,18 @@ AudioHost::AudioHost (SettingsFile fileToUse, bool keepsSettings)
 
 AudioHost::~AudioHost() = default;
 
-void AudioHost::begin (DeviceProcessor& processor, StopCount& stops)
+void AudioHost::begin (Instrument toPlay)
 {
+    instrument.emplace (std::move (toPlay));
     // However it was left: whoever starts the program arms it.
     arm().setValueNotifyingHost (0);
-    played = &processor;
-    notes = std::make_unique<MidiQueue> (stops);
+    notes = std::make_unique<MidiQueue> (instrument->stops);
     midiInputs = std::make_unique<MidiInputs> (*notes);
-    audio = std::make_unique<AudioCallback> (
-        processor, outputRouter, *notes,
-        PlayedLevels { [this] { return fullScaleVolts(); }, [this] { return arm().get(); } });
+    audio =
+        std::make_unique<AudioCallback> (instrument->processor, outputRouter, *notes,
+                                         PlayedLevels { instrument->fullScaleVolts, [this] { return arm().get(); } });
     passRouting();
-    played->addListener (this);
+    instrument->processor.addListener (this);
     deviceManager.addChangeListener (this);
     deviceManager.addAudioCallback (audio.get());
     startTimer (hostTickMilliseconds);
@@ -52,7 +52,7 @@ void AudioHost::end()
     midiInputs = nullptr;
     deviceManager.removeAudioCallback (audio.get());
     deviceManager.removeChangeListener (this);
-    played->removeListener (this);
+    instrument->processor.removeListener (this);
     cancelPendingUpdate();
 }
 
@@ -206,7 +206,7 @@ std::vector<UserMessage> AudioHost::messages()
     for (const auto& [source, text] : failures)
         addMessage (messages, Urgency::warning, text);
 
-    for (const auto& more : { played->messages(), midiInputs->messages() })
+    for (const auto& more : { instrument->processor.messages(), midiInputs->messages() })
         messages.insert (messages.end(), more.begin(), more.end());
 
     addMessage (messages, Urgency::warning, silentCeramics().toStdString());
@@ -300,7 +300,7 @@ void AudioHost::retryPorts()
  */
 void AudioHost::passRouting()
 {
-    passAmplifiers (amplifierVoltages (kept.routing));
+    instrument->setAmplifiers (amplifierVoltages (kept.routing));
     const auto volts = limits();
     outputRouter.setRouting (kept.routing, { volts.begin(), volts.end() });
 }

@@ -15,6 +15,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,18 +89,15 @@ public:
     juce::String silentCeramics();
 
     /** The device that vibrates, solved; none before. [any but the audio thread] */
-    virtual std::shared_ptr<const ModalModel> model() = 0;
+    std::shared_ptr<const ModalModel> model() const { return instrument->processor.playing().model; }
 
-    /** The voltage of a sample of 1.0, V; 0 before anything plays. [any] */
-    virtual double fullScaleVolts() = 0;
-
-    virtual SwitchParameter& arm() = 0;
+    SwitchParameter& arm() const { return instrument->arm; }
 
     /** Ends what plays, as far as it ends by itself, and voids what waits to play. [any but the audio thread] */
     virtual void stopAll() = 0;
 
     /** Of what plays. [any but the audio thread] */
-    virtual LevelMeters& meters() = 0;
+    LevelMeters& meters() const { return *instrument->processor.playing().meters; }
 
     /** The largest voltage of all ceramics since the last call, V. [any but the audio thread] */
     float takePeakVolts();
@@ -128,9 +126,15 @@ protected:
         [message thread] */
     AudioHost (SettingsFile, bool keepsSettings);
 
-    /** From now on it lives. @param processor  what plays, as it was left last time @param stops  of its session; both
-        must live until end() [message thread] */
-    void begin (DeviceProcessor& processor, StopCount& stops);
+    /** From now on it lives. @param player  a RoleProcessor that plays an instrument, as it was left last time; must
+       live until end() [message thread] */
+    template <typename Player>
+    void begin (Player& player)
+    {
+        auto& session = player.session();
+        begin ({ player, player.parameters().arm(), session.stops(), [&session] { return session.fullScaleVolts(); },
+                 [&session] (const std::vector<double>& volts) { session.setAmplifiers (volts); } });
+    }
 
     /** Shuts down, and does nothing any more. [message thread] */
     void end();
@@ -147,8 +151,18 @@ protected:
     StandaloneSettings kept;
 
 private:
+    /** What plays. */
+    struct Instrument
+    {
+        DeviceProcessor& processor;
+        SwitchParameter& arm;
+        StopCount& stops;
+        std::function<double()> fullScaleVolts;                         ///< As AudioEntry.
+        std::function<void (const std::vector<double>&)> setAmplifiers; ///< As DeviceRounds.
+    };
+
+    void begin (Instrument);
     virtual void keepState (StandaloneSettings&) = 0; ///< What plays, into the settings.
-    virtual void passAmplifiers (const std::vector<double>& /*volts*/) {}
     virtual Eigen::VectorXd limits() = 0;   ///< Of the ceramics while this plays, V; none: no device is solved.
     virtual std::uint64_t generation() = 0; ///< Another one where limits may have changed.
     virtual void tick() {}                  ///< 20 times a second.
@@ -174,7 +188,7 @@ private:
     std::map<MessageSource, std::string> failures;
     juce::uint32 portsTried = 0; ///< ms, when those that could not be opened were tried again.
     OutputRouter outputRouter;
-    DeviceProcessor* played = nullptr;
+    std::optional<Instrument> instrument; ///< From begin() on.
     std::unique_ptr<MidiQueue> notes;
     std::unique_ptr<AudioCallback> audio;
     std::unique_ptr<MidiInputs> midiInputs;

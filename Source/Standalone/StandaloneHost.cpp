@@ -51,7 +51,7 @@ StandaloneHost::StandaloneHost (SettingsFile fileToUse, bool keepsSettings)
     if (kept.state)
         player.setState (*kept.state, true);
 
-    begin (player, player.session().stops());
+    begin (player);
     callback().setInputs (sensorAlone());
 }
 

@@ -43,11 +43,7 @@ public:
         does so itself 20 times a second. [message thread] */
     void restTouches();
 
-    std::shared_ptr<const ModalModel> model() override { return player.session().snapshot()->model; }
-    double fullScaleVolts() override { return player.session().fullScaleVolts(); }
-    SwitchParameter& arm() override { return player.parameters().arm(); }
     void stopAll() override { player.session().stopAll(); }
-    LevelMeters& meters() override { return player.session().meters(); }
     bool playsFoci() const override { return true; }
     juce::String latencyText() override;
     juce::String latencyAdviceText() override;
@@ -58,7 +54,6 @@ private:
     juce::String touchLines (const TouchCounters&) override;
     std::string unusedTouches (const TouchCounters&) override;
     void keepState (StandaloneSettings& settings) override { settings.state = player.state(); }
-    void passAmplifiers (const std::vector<double>& volts) override { player.session().setAmplifiers (volts); }
     Eigen::VectorXd limits() override;
     std::uint64_t generation() override { return player.session().snapshot()->generation; }
     void tick() override;

@@ -41,7 +41,7 @@ TouchHost::TouchHost (SettingsFile fileToUse, bool keepsSettings) : AudioHost (s
         player.setState (state, true);
     }
 
-    begin (player, player.session().stops());
+    begin (player);
     callback().setInputs (kept.inputs);
 }
 

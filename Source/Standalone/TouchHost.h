@@ -44,11 +44,7 @@ public:
     void setTouch (const TouchPorts&) override;
     void shutDown() override;
 
-    std::shared_ptr<const ModalModel> model() override { return player.session().snapshot()->model; }
-    double fullScaleVolts() override { return player.session().fullScaleVolts(); }
-    SwitchParameter& arm() override { return player.parameters().arm(); }
     void stopAll() override { player.stopAll(); }
-    LevelMeters& meters() override { return player.session().meters(); }
     bool playsFoci() const override { return false; }
     juce::String latencyText() override;
     juce::String latencyAdviceText() override;
@@ -62,7 +58,6 @@ private:
     juce::String touchLines (const TouchCounters&) override;
     std::string unusedTouches (const TouchCounters&) override;
     void keepState (StandaloneSettings&) override;
-    void passAmplifiers (const std::vector<double>& volts) override { player.session().setAmplifiers (volts); }
     Eigen::VectorXd limits() override;
     std::uint64_t generation() override;
     AudioChoice audioToKeep (AudioChoice opened) const override;

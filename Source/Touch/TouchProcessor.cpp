@@ -157,8 +157,8 @@ void TouchProcessor::openPorts (const std::map<std::string, double>& values)
 DeviceProcessor::Playing TouchProcessor::playing() const
 {
     const auto now = session().snapshot();
-    return { now->model, now->error, session().meters().isMutedForBadNumbers(),
-             session().latencySamples (parameters().settings().latency), &session().following() };
+    return { now->model, now->error, session().latencySamples (parameters().settings().latency), &session().meters(),
+             &session().following() };
 }
 
 std::vector<UserMessage> TouchProcessor::ownMessages() const

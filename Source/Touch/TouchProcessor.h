@@ -62,10 +62,10 @@ public:
     void reset() override { session().stopAll(); }
     bool acceptsMidi() const override { return true; }
     juce::AudioProcessorEditor* createEditor() override;
+    Playing playing() const override;
     bool hasEditor() const override { return true; }
 
 private:
-    Playing playing() const override;
     std::vector<UserMessage> ownMessages() const override;
     TouchFormat formatAt (double sampleRate) const override { return { sampleRate, inputs() }; }
     TouchSettings look() override;

@@ -50,7 +50,7 @@ void AudioEntry::process (const AudioBlock<Sample>& block, const PlayControls& c
         current->process (block,
                           waiting.process (gather (block.events, controls.focusGain), block.count,
                                            current->noteDelay (controls), paths.isLeaving()),
-                          now, levels);
+                          now, played);
         return;
     }
 

@@ -14,8 +14,8 @@
 
 namespace antinode
 {
-/** Where the audio thread enters a session: notes and triggers in, the path that plays, meters out. The session's
-   thread gives it paths, by one atomic exchange. */
+/** Where the audio thread enters a session, which derives from it: notes and triggers in, the path that plays, meters
+    out. The session's thread gives it paths, by one atomic exchange. */
 class AudioEntry
 {
 public:
@@ -51,10 +51,13 @@ public:
     /** Frees all paths, at the end. Nothing may be processing. [session's thread] */
     void clear() { paths.clear(); }
 
-    InstrumentMeters& meters() { return levels; }
-
     /** The voltage of a sample of 1.0 in the last block, V; 0 before the first block. [any] */
     double fullScaleVolts() const { return fullScale; }
+
+protected:
+    ~AudioEntry() = default;
+
+    InstrumentMeters played; ///< Of what plays.
 
 private:
     std::span<const FocusEvent> gather (std::span<const FocusEvent> events, double focusGain);
@@ -67,7 +70,6 @@ private:
                         ///< the path ramps out for another one. It lasts longer than a path.
     std::uint64_t playedStop = 0; ///< The newest one, of the audio thread as the next line.
     std::array<FocusEvent, 1 + TriggerQueue::capacity + EventDelay::mostPerBlock> blockEvents {};
-    InstrumentMeters levels;
     PathExchange<InstrumentPath> paths;
 };
 } // namespace antinode

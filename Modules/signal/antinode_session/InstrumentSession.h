@@ -15,22 +15,16 @@
 
 namespace antinode
 {
-/** What sessions share that notes play and whose device is followed: where the audio thread enters, stops, meters,
-    waiting for what notes play, and the drift of the device. Template parameters are those of DeviceRounds. */
+/** What sessions share that notes play and whose device is followed: the entry of the audio thread, waiting for what
+    notes play, and the drift of the device. Template parameters are those of DeviceRounds. */
 template <typename Snapshot, typename Settings, typename Format>
-class InstrumentSession : public DeviceRounds<Snapshot, Settings, Format>
+class InstrumentSession : public DeviceRounds<Snapshot, Settings, Format>, protected AudioEntry
 {
     using Rounds = DeviceRounds<Snapshot, Settings, Format>;
 
 public:
+    using AudioEntry::fullScaleVolts, AudioEntry::process, AudioEntry::stops;
     using Rounds::Rounds;
-
-    /** Plays a block, or silence while there is no path. [audio thread] allocates nothing, locks nothing */
-    template <typename Sample>
-    void process (const AudioBlock<Sample>& block, const PlayControls& controls)
-    {
-        entry.process (block, controls);
-    }
 
     /** Waits until all that was loaded is taken up, with what the parameters say, and the focus at its own place is
         designed, and those that these notes trigger: for offline rendering. One caller at a time. [any but a real-time
@@ -52,24 +46,18 @@ public:
         triggers, notes. Inputs play on. [any] */
     void stopAll() { stops().stop(); }
 
-    /** The stops so far: by stopAll(), by prepare(), by all notes off among the events of a block. [any] */
-    StopCount& stops() { return entry.stops(); }
-
     /** What follows the drift of the device, and what is known: all is designed for the device as it is. Another sensor
         makes another path; one that cannot be had becomes a status. Docs/Design/session.md
         [any but the audio thread] */
     FollowingRequests& following() const { return *followingRequests; }
 
-    LevelMeters& meters() { return entry.meters().levels; }
-
-    /** The voltage of a sample of 1.0 in the last block, V; 0 before the first block. [any] */
-    double fullScaleVolts() const { return entry.fullScaleVolts(); }
+    LevelMeters& meters() { return played.levels; }
 
 protected:
     void clear() override
     {
         deviceFollowing.stop();
-        entry.clear();
+        AudioEntry::clear();
     }
 
     /** Notes whose foci somebody waits for. */
@@ -82,15 +70,15 @@ protected:
     /** Waits for their foci. @return  false where there is nothing to wait for */
     bool waitForNotes()
     {
-        auto notes = awaited();
+        auto places = awaited();
 
-        if (! notes || path == nullptr || entry.notes() == NoteMeaning::nothing)
+        if (! places || path == nullptr || notes() == NoteMeaning::nothing)
             return false;
 
-        for (auto& note : *notes)
-            note = bankPlaceOf (note, entry.notes());
+        for (auto& place : *places)
+            place = bankPlaceOf (place, notes());
 
-        path->foci().waitFor (*notes);
+        path->foci().waitFor (*places);
         return true;
     }
 
@@ -101,11 +89,10 @@ protected:
             this->owner.tell();
     }
 
-    AudioEntry entry;
     std::atomic<double> ringing { 1 }; ///< s: 60 dB of decay of the slowest mode.
     std::shared_ptr<FollowingRequests> followingRequests = std::make_shared<FollowingRequests>();
     DeviceFollowing deviceFollowing { followingRequests }; ///< Of the session's thread, as the next lines.
-    InstrumentPath* path = nullptr; ///< The newest one, which `entry` owns; none where it could not be built.
+    InstrumentPath* path = nullptr; ///< The newest one, which the entry owns; none where it could not be built.
 
 private:
     void await (std::optional<std::vector<int>> notes)

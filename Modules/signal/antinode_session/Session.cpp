@@ -14,7 +14,7 @@ Session::Session (DeviceDocument device, FocusDocument focusToPlay, std::functio
       takeFocus (std::move (takeFocusToCall)), newest (std::make_shared<const FocusDocument> (std::move (focusToPlay)))
 {
     asked.focus = newest;
-    entry.setNotes (NoteMeaning::spread);
+    setNotes (NoteMeaning::spread);
 }
 
 void Session::load (std::shared_ptr<const DeviceDocument> device, std::shared_ptr<const FocusDocument> wanted)
@@ -44,7 +44,7 @@ std::shared_ptr<const FocusDocument> Session::newestFocus() const
 
 void Session::prepare (double sampleRate)
 {
-    entry.prepare (sampleRate);
+    AudioEntry::prepare (sampleRate);
     // At once, although the path may come later: hosts ask for it now.
     latency = estimateLatency (newestFocus()->description, owner.settings ({}), sampleRate);
     ask (sampleRate);
@@ -73,7 +73,7 @@ void Session::designFirst (std::vector<int> notes)
 
 void Session::fire (double amplitude)
 {
-    entry.fire (FocusBank::livePlace, amplitude, stops().now());
+    AudioEntry::fire (FocusBank::livePlace, amplitude, stops().now());
 }
 
 Session::FireResult Session::fireAt (double x, double y, double amplitude)

@@ -82,7 +82,7 @@ public:
     /** The progress of the designs. [any but the audio thread] */
     DesignProgress progress() const;
 
-    const ProbeTrace& probeTrace() { return entry.meters().trace; }
+    const ProbeTrace& probeTrace() { return played.trace; }
 
     /** Samples from a trigger to its focus if foci are delayed onto notes, else 0. [any] */
     std::int64_t latencySamples() const { return latency; }

@@ -16,8 +16,8 @@ void Session::requestDesigns (const std::vector<int>& firstNotes)
     const auto description = withSettings (focus->description, settings, present.model->surface);
     auto asWritten = written();
     latency = estimateLatency (focus->description, settings, rate) + path->lateSamples();
-    entry.setNotes (settings.noteLayout == NoteLayout::spot || asWritten != nullptr ? NoteMeaning::spotOnly
-                                                                                    : NoteMeaning::spread);
+    setNotes (settings.noteLayout == NoteLayout::spot || asWritten != nullptr ? NoteMeaning::spotOnly
+                                                                              : NoteMeaning::spread);
     path->setFocusLimits (limitsInPlay (*present.model, description, asWritten.get()));
     isFocusNew = false;
 
@@ -97,15 +97,17 @@ void Session::designFired (const std::vector<FiredFocus>& fired)
     if (path == nullptr)
         return;
 
+    AudioEntry& entry = *this;
+
     // The path is the entry's: it outlives the path's thread, which calls back.
     for (const auto& each : fired)
         path->foci().touch (
             each.x, each.y,
-            [&target = entry, each] (int place)
+            [&entry, each] (int place)
             {
                 if (place >= 0)
-                    target.fire (place, each.amplitude, each.askedAt);
+                    entry.fire (place, each.amplitude, each.askedAt);
             },
-            [&target = entry, each] { return target.stops().now() == each.askedAt; });
+            [&entry, each] { return entry.stops().now() == each.askedAt; });
 }
 } // namespace antinode

@@ -60,7 +60,7 @@ void Session::step (const Requests& wanted)
     deviceFollowing.take (present.model.get());
     takeFingers();
     takeGraphChoice (wanted);
-    entry.collect();
+    collect();
     deviceFollowing.read (present.model.get());
     const auto read = owner.settings (settings);
 
@@ -188,8 +188,8 @@ void Session::buildPath()
             loadedModel, rate, InstrumentNodes { {}, graph, {}, probeShapes() },
             deviceFollowing.listen (fingers.empty() ? present.model : loadedModel, rate));
         path = made.get();
-        entry.meters().trace.prepare (std::max (1, static_cast<int> (rate / traceEntriesPerSecond)));
-        entry.give (std::move (made));
+        played.trace.prepare (std::max (1, static_cast<int> (rate / traceEntriesPerSecond)));
+        give (std::move (made));
         ringing = static_cast<double> (path->lateSamples()) / rate + path->ringingSeconds();
     }
     catch (const std::exception& failure)

@@ -47,13 +47,13 @@ TouchSession::TouchSession (DeviceDocument device, std::function<TouchSettings()
 
 void TouchSession::prepare (const TouchFormat& wanted)
 {
-    entry.prepare (wanted.sampleRate);
+    AudioEntry::prepare (wanted.sampleRate);
     ask (wanted);
 }
 
 std::int64_t TouchSession::latencySamples (std::size_t latency) const
 {
-    const auto rate = entry.sampleRate() > 0 ? entry.sampleRate() : usualTouchRate;
+    const auto rate = AudioEntry::sampleRate() > 0 ? AudioEntry::sampleRate() : usualTouchRate;
 
     try
     {
@@ -68,7 +68,7 @@ std::int64_t TouchSession::latencySamples (std::size_t latency) const
 /** Notes wait as long as the filters take. */
 double TouchSession::tailSeconds (std::size_t latency) const
 {
-    const auto rate = entry.sampleRate() > 0 ? entry.sampleRate() : usualTouchRate;
+    const auto rate = AudioEntry::sampleRate() > 0 ? AudioEntry::sampleRate() : usualTouchRate;
     const auto delay = static_cast<double> (latencySamples (latency)) / rate, lag = static_cast<double> (late) / rate;
     return std::max (lag + FilterSettings().length, delay + focusProgress().endSeconds) + ringing;
 }
@@ -105,7 +105,7 @@ void TouchSession::step()
 
     takeAmplifiers();
     takeFollowing();
-    entry.collect();
+    collect();
 
     if (path != nullptr)
         path->banks().collect();
@@ -155,7 +155,7 @@ void TouchSession::buildPath()
         isPathNew = true;
         ringing = made->ringingSeconds();
         late = made->lateSamples();
-        entry.give (std::move (made));
+        give (std::move (made));
     }
     catch (const std::exception& failure)
     {

@@ -76,7 +76,7 @@ public:
         nothing else to do. [any] */
     void setComparing (bool shouldCompare) { isComparing = shouldCompare; }
 
-    FingerMeters& fingerMeters() { return entry.meters().fingers; }
+    FingerMeters& fingerMeters() { return played.fingers; }
 
     /** By how many samples motions lag their inputs; that of 48 kHz before the first preparation. [any] */
     std::int64_t latencySamples (std::size_t latency) const;

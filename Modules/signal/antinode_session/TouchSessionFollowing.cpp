@@ -64,6 +64,6 @@ void TouchSession::serveFoci()
                                 deviceFollowing.shift() };
     foci.serve (*path, surface, std::exchange (isPathNew, false),
                 [this, areNotesAwaited] { return areNotesAwaited || owner.settings (settings) == settings; });
-    entry.setNotes (foci.notes());
+    setNotes (foci.notes());
 }
 } // namespace antinode
