@@ -1,5 +1,5 @@
 #include <antinode_documents/DeviceFile.h>
-#include <antinode_focus/BankPlaces.h>
+#include <antinode_focus/FocusPlaces.h>
 #include <antinode_resources.h>
 #include <antinode_session/DesignWorker.h>
 #include <antinode_text/JsonText.h>

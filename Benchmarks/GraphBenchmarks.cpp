@@ -2,10 +2,10 @@
 
 #include <Support/SineBeam.h>
 
-#include <antinode_engine/PlanarBuffer.h>
+#include <antinode_engine/AlignedBuffers.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_graph/InstrumentGraph.h>
-#include <antinode_graph/PlateModelNode.h>
+#include <antinode_graph/SurfaceNode.h>
 
 #include <benchmark/benchmark.h>
 

@@ -1,6 +1,6 @@
 #include "FmaPeak.h"
 
-#include <antinode_engine/PlanarBuffer.h>
+#include <antinode_engine/AlignedBuffers.h>
 #include <antinode_engine/RealtimePlate.h>
 #include <antinode_engine/VoltageLimiter.h>
 #include <antinode_engine/VoltageSynthesiser.h>

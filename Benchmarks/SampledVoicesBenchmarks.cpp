@@ -1,5 +1,5 @@
+#include <antinode_engine/AlignedBuffers.h>
 #include <antinode_engine/FocusPlayer.h>
-#include <antinode_engine/PlanarBuffer.h>
 
 #include <benchmark/benchmark.h>
 

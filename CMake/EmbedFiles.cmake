@@ -34,7 +34,7 @@ function (antinode_embed_files target nameSpace)
     endif()
     file (CONFIGURE OUTPUT ${directory}/data.S CONTENT "${assembly}" @ONLY)
     file (CONFIGURE OUTPUT ${directory}/files.cpp CONTENT
-"#include <antinode_base/EmbeddedFile.h>
+"#include <antinode_base/WholeFile.h>
 extern \"C\"
 {
 ${declarations}}
@@ -51,7 +51,7 @@ ${entries}    };
 " @ONLY)
     file (CONFIGURE OUTPUT ${directory}/${target}.h CONTENT
 "#pragma once
-#include <antinode_base/EmbeddedFile.h>
+#include <antinode_base/WholeFile.h>
 namespace ${nameSpace}
 {
 /** All files of this set, in the order of the build script. [any] */

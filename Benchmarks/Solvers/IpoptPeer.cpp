@@ -1,6 +1,6 @@
 #include "IpoptPeer.h"
 
-#include <antinode_allocation/RowSystem.h>
+#include <antinode_allocation/WhitenedAllocation.h>
 #include <coin/IpIpoptApplication.hpp>
 #include <coin/IpTNLP.hpp>
 

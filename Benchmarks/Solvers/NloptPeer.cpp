@@ -1,6 +1,6 @@
 #include "NloptPeer.h"
 
-#include <antinode_allocation/RowSystem.h>
+#include <antinode_allocation/WhitenedAllocation.h>
 #include <nlopt.h>
 
 #include <ctime>

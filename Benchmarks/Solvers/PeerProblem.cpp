@@ -1,6 +1,6 @@
 #include "PeerProblem.h"
 
-#include <antinode_allocation/Whitening.h>
+#include <antinode_allocation/WhitenedAllocation.h>
 
 namespace antinode::bench
 {

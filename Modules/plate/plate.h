@@ -4,7 +4,7 @@
 // and what skin feels. Rooms and their headers: Docs/Architecture.md.
 
 #include <antinode_fingers/Finger.h>
-#include <antinode_fingers/SkinThreshold.h>
+#include <antinode_fingers/Sensation.h>
 #include <antinode_model/ModalModel.h>
 #include <antinode_outline/Outline.h>
 #include <antinode_structure/DeviceDescription.h>

@@ -1,9 +1,7 @@
 #include "CommandLine.h"
 
 #include <antinode_audio/Interruption.h>
-#include <antinode_base/ArgumentPointers.h>
-#include <antinode_base/Processes.h>
-#include <antinode_base/StandardStreams.h>
+#include <antinode_base/System.h>
 
 #include <juce_events/juce_events.h>
 

@@ -1,19 +1,67 @@
 #pragma once
 
-#include "DesignPicture.h"
+#include "SurfaceView.h"
 
 #include <antinode_base/Watch.h>
+#include <antinode_focus/FocusDesign.h>
 #include <antinode_focus/SpillOver.h>
+#include <antinode_model/VoltageProgram.h>
+#include <antinode_render/FocusOutcome.h>
+#include <antinode_reports/FocusReport.h>
+#include <antinode_session/FocusSettings.h>
+#include <antinode_session/Session.h>
 
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace antinode
 {
+/** A request for a picture. */
+struct DesignQuestion
+{
+    std::shared_ptr<const ModalModel> model;
+    std::shared_ptr<const FocusDocument> focus;
+    PlaySettings settings;
+    Playback playback; ///< With a rate of more than 0.
+
+    bool operator== (const DesignQuestion&) const;
+};
+
+/** The result of a render: the same charts and scores as in the report. */
+struct RenderedCharts
+{
+    std::shared_ptr<const Chart> voltages, probe, felt;
+    std::vector<ReportScore> scores;
+    std::vector<std::string> warnings, choices;
+};
+
+/** The picture of a focus. Immutable. Parts arrive one after the other, the quick ones first. */
+struct DesignPicture : SurfacePicture
+{
+    enum class Stage
+    {
+        predicted, ///< The field at the focus, and the spectrum.
+        animated,  ///< All frames.
+        complete   ///< The render too, or the reason why there is none.
+    };
+
+    DesignQuestion question;
+    FocusDescription focus;                ///< The document as the parameters changed it.
+    std::shared_ptr<const Chart> section;  ///< Of a plate, along x through the focus; none if there is no design.
+    std::shared_ptr<const Chart> spectrum; ///< None if there is no design.
+    std::shared_ptr<const RenderedCharts> rendered; ///< Of an earlier design until the stage is complete.
+    std::shared_ptr<const Chart> methods;           ///< What this focus needs by several methods; comes last.
+    std::vector<std::string> faults;                ///< What is wrong with the focus, as far as it is known.
+    Stage stage = Stage::predicted;
+};
+
 /** Computes the picture for the editor on a thread that runs it: first the predicted field, then its frames, then a
    full render. A newer question replaces an older one, whose work is given up between two steps. The editor may go
    before the thread: both share it. */
@@ -58,4 +106,13 @@ private:
     std::atomic<std::uint64_t> asked { 0 }, answered { 0 };
     std::atomic<bool> isStopping { false }, isWorking { false };
 };
+
+/** What is wrong with the places of a focus, in the words of the window's controls: they lie on an edge. [any] */
+std::vector<std::string> placeFaults (const Surface&, const FocusDescription&);
+
+/** The same, and what is wrong with what is designed: its modes represent too little of it. [any] */
+std::vector<std::string> designFaults (const ModalModel&, const FocusDesign&);
+
+/** What is wrong with what is reached: too slow, or not felt. [any] */
+std::vector<std::string> outcomeFaults (const RenderedFocus&, const FocusOutcome&);
 } // namespace antinode

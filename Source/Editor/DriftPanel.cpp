@@ -1,12 +1,10 @@
 #include "DriftPanel.h"
 
 #include "EditorLook.h"
-#include "JuceText.h"
 
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
-#include <antinode_base/TypedNumber.h>
-#include <antinode_session/FollowingWords.h>
+#include <antinode_session/UserMessages.h>
 
 #include <algorithm>
 #include <limits>

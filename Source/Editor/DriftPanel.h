@@ -3,9 +3,8 @@
 #include "ChartView.h"
 
 #include <antinode_model/ModalModel.h>
-#include <antinode_reports/LineChart.h>
-#include <antinode_session/FollowingRequests.h>
-#include <antinode_session/FollowingStatus.h>
+#include <antinode_reports/Chart.h>
+#include <antinode_session/Following.h>
 #include <juce_gui_basics/juce_gui_basics.h>
 
 #include <array>

@@ -1,19 +1,17 @@
 #pragma once
 
+#include "ChartView.h"
 #include "ContentEditor.h"
 #include "DesignView.h"
 #include "DriftPanel.h"
+#include "FieldFrames.h"
 #include "FocusCommands.h"
 #include "FocusSurface.h"
 #include "History.h"
-#include "MetersStrip.h"
-#include "PanelGroup.h"
+#include "Meters.h"
+#include "Panels.h"
 #include "ParameterPanel.h"
-#include "PresetPanel.h"
-#include "ProbePanel.h"
-#include "ScoresView.h"
-#include "SettingsPanel.h"
-#include "Timeline.h"
+#include "Presets.h"
 
 #include <antinode_session/SessionOwner.h>
 

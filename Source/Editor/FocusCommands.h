@@ -1,9 +1,9 @@
 #pragma once
 
+#include "EditorLook.h"
 #include "History.h"
-#include "Palette.h"
-#include "ParameterControl.h"
-#include "TopBar.h"
+#include "ParameterPanel.h"
+#include "WindowContent.h"
 
 #include <antinode_documents/Library.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "SurfacePainter.h"
+#include "SurfaceView.h"
 
 #include <antinode_session/PlateSession.h>
 

@@ -1,6 +1,6 @@
 #include "PlateContent.h"
 
-#include <Editor/JuceText.h>
+#include <Editor/EditorLook.h>
 
 #include <antinode_base/Prefixes.h>
 #include <antinode_reports/Lettering.h>

@@ -4,9 +4,9 @@
 
 #include <Editor/ChartView.h>
 #include <Editor/ContentEditor.h>
-#include <Editor/LevelRows.h>
-#include <Editor/LibraryButton.h>
+#include <Editor/Meters.h>
 #include <Editor/MotionView.h>
+#include <Editor/Presets.h>
 #include <Editor/SurfaceView.h>
 
 #include <antinode_session/SessionOwner.h>

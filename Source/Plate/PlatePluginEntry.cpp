@@ -1,6 +1,6 @@
 #include "PlateProcessor.h"
 
-#include <Processor/CeramicsAtFirst.h>
+#include <Processor/HostChannels.h>
 
 #ifndef ANTINODE_LV2_CERAMICS
 #define ANTINODE_LV2_CERAMICS 8

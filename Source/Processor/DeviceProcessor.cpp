@@ -1,16 +1,68 @@
 #include "DeviceProcessor.h"
 
-#include "VST3Channels.h"
+#include "HostChannels.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_model/ModalModel.h>
-#include <antinode_session/FollowingWords.h>
+#include <antinode_session/UserMessages.h>
+#include <juce_events/juce_events.h>
 
 #include <algorithm>
+#include <atomic>
+#include <mutex>
 #include <utility>
 
 namespace antinode
 {
+struct ChangeMessages::Link
+{
+    std::recursive_mutex mutex; ///< What is called may free us.
+    std::function<void()> toCall;
+    std::atomic<bool> isPosted { false };
+    bool isOpen = false;
+};
+
+ChangeMessages::ChangeMessages (std::function<void()> toCall) : link (std::make_shared<Link>())
+{
+    link->toCall = std::move (toCall);
+}
+
+ChangeMessages::~ChangeMessages()
+{
+    end();
+}
+
+void ChangeMessages::begin()
+{
+    {
+        const std::lock_guard lock (link->mutex);
+        link->isOpen = true;
+    }
+    post();
+}
+
+void ChangeMessages::end()
+{
+    const std::lock_guard lock (link->mutex);
+    link->isOpen = false;
+}
+
+void ChangeMessages::post()
+{
+    if (link->isPosted.exchange (true))
+        return;
+
+    juce::MessageManager::callAsync (
+        [kept = link]
+        {
+            kept->isPosted = false;
+            const std::lock_guard lock (kept->mutex);
+
+            if (kept->isOpen)
+                kept->toCall();
+        });
+}
+
 juce::AudioProcessor::BusesProperties DeviceProcessor::properties (const Buses& buses, WrapperType wrapper)
 {
     const auto isVST3 = wrapper == wrapperType_VST3;

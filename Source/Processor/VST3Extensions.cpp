@@ -1,6 +1,6 @@
 #include "VST3Extensions.h"
 
-#include "StepParameters.h"
+#include "ParameterTypes.h"
 
 // The interfaces as Steinberg gives them.
 #pragma GCC diagnostic push

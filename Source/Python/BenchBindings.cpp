@@ -1,5 +1,5 @@
-#include "Bindings.h"
 #include "Keywords.h"
+#include "Module.h"
 #include "ResultClass.h"
 
 #include <antinode_base/InputError.h>

@@ -5,9 +5,8 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
-#include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
-#include <antinode_documents/ExcitationFolder.h>
+#include <antinode_documents/ExcitationFile.h>
 #include <antinode_tasks/Design.h>
 
 #include <pybind11/stl.h>

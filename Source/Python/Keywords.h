@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Docstrings.h"
+#include "ResultClass.h"
 #include "Work.h"
 
 #include <pybind11/pybind11.h>

@@ -1,12 +1,12 @@
-#include "Bindings.h"
 #include "Keywords.h"
+#include "Module.h"
 #include "ResultClass.h"
 
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
-#include <antinode_learning/LearningVerdict.h>
+#include <antinode_learning/LearningPasses.h>
 #include <antinode_tasks/Design.h>
-#include <antinode_tasks/FollowFiles.h>
+#include <antinode_tasks/Follow.h>
 #include <antinode_tasks/LearnFiles.h>
 #include <antinode_tasks/Sensors.h>
 

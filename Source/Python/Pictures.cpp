@@ -2,8 +2,8 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_reports/ChartFile.h>
 #include <antinode_reports/FocusCharts.h>
-#include <antinode_reports/Picture.h>
 #include <antinode_reports/PlateCharts.h>
 #include <antinode_reports/Theme.h>
 

@@ -4,6 +4,7 @@
 #include "Pictures.h"
 #include "Work.h"
 
+#include <antinode_tasks/Field.h>
 #include <pybind11/complex.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -17,6 +18,11 @@
 
 namespace antinode
 {
+/** The docstring of a task's function, which begins with its signature as inspect reads it; its stub is kept for
+    `_stubs`. [any] */
+std::string documented (const std::string& function, const TaskText&, const std::vector<Field>&,
+                        const std::string& result);
+
 /** The file of a device, which Python sees as a Device. */
 struct DeviceText
 {

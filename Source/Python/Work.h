@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_base/ShowProgress.h>
+#include <antinode_base/Progress.h>
 #include <antinode_base/Watch.h>
 
 #include <pybind11/pybind11.h>

@@ -1,8 +1,8 @@
 #include "Screenshots.h"
 
-#include <Standalone/MainComponent.h>
+#include <Standalone/MainWindow.h>
 
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,16 +1,40 @@
 #pragma once
 
 #include "AudioHost.h"
-#include "FollowingReport.h"
 #include "StandaloneHost.h"
 #include "TouchHost.h"
 
+#include <antinode_session/Following.h>
+
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace antinode
 {
+/** What a program without windows says of a followed drift. */
+class FollowingReport
+{
+public:
+    /** What is new since the last call: another state, or a jump; else empty. [any] */
+    std::string news (const FollowingStatus&);
+
+    /** Prints what is new with its time. [message thread] */
+    void print (const FollowingStatus&, double seconds);
+
+    /** "drift +0.42 %, following", as of the last call; empty where nothing is followed. [any] */
+    std::string summary() const;
+
+    /** The same as the end of a line: "; drift +0.42 %, following". [any] */
+    std::string ending() const;
+
+private:
+    FollowingState state = FollowingState::off;
+    std::string reason;
+    std::optional<double> drift; ///< None: no window was heard yet.
+};
+
 /** Plays without windows until its duration is over, the user interrupts it, or the device fails. */
 class HeadlessRun : private juce::Timer
 {

@@ -1,8 +1,6 @@
 #include "Standalone.h"
 
-#include <antinode_base/ArgumentPointers.h>
-#include <antinode_base/Processes.h>
-#include <antinode_base/StandardStreams.h>
+#include <antinode_base/System.h>
 
 int main (int argumentCount, char** arguments)
 {

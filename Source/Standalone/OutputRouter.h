@@ -1,10 +1,8 @@
 #pragma once
 
-#include "OutputMeters.h"
-#include "OutputRouting.h"
+#include <antinode_engine/VoltageLimiter.h>
 
-#include <antinode_engine/SafetyRamp.h>
-
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -13,6 +11,78 @@
 
 namespace antinode
 {
+/** One output: its amplifier and wiring. */
+struct OutputChain
+{
+    double voltsPerFullScale = 0; ///< V at the ceramic for a sample of 1.0; 0: the device's full scale.
+    int polarity = 1;             ///< 1 or -1.
+
+    bool operator== (const OutputChain&) const = default;
+};
+
+/** The output of each ceramic: each ceramic has at most one output, each output at most one ceramic. Counted from 0. */
+struct OutputRouting
+{
+    static constexpr int maximumCeramics = 64, maximumOutputs = 128, monitors = 2;
+    static constexpr int none = -1;
+
+    std::array<int, maximumCeramics> outputs {};       ///< Of each ceramic; `none`: nothing drives it.
+    std::array<OutputChain, maximumOutputs> chains {}; ///< Of each output.
+    int monitor = none;                                ///< The first of two outputs with the velocity at the probes.
+
+    bool operator== (const OutputRouting&) const = default;
+};
+
+/** Ceramic k on output k, no monitor: an amplifier that got a velocity as a voltage would be a surprise. [any] */
+OutputRouting straightRouting();
+
+/** The same with a ceramic on another output, or on none; whatever had that output loses it. [any] */
+OutputRouting withOutput (OutputRouting, int ceramic, int output);
+
+/** The same with the monitor on another pair, or on none; whatever had those outputs loses them. [any] */
+OutputRouting withMonitor (OutputRouting, int firstOutput);
+
+/** The volts of a full-scale sample at the output of each ceramic; 0: the device's full scale, or no output. [any] */
+std::vector<double> amplifierVoltages (const OutputRouting&);
+
+/** @throws InputError  where an output is no output or is used twice, or a chain has a gain or a polarity that is none
+    [any] */
+void validate (const OutputRouting&);
+
+/** Meters of each output for other threads: its peak since the last read, and the number of clamped samples. */
+class OutputMeters
+{
+public:
+    /** One writer. @param peak  share of full scale [audio thread] */
+    void note (int output, float peak, std::int64_t clamped)
+    {
+        auto& present = peaks[static_cast<std::size_t> (output)];
+
+        if (peak > present.load (std::memory_order_relaxed))
+            present.store (peak, std::memory_order_relaxed);
+
+        if (clamped > 0)
+            clampedCounts[static_cast<std::size_t> (output)].fetch_add (clamped, std::memory_order_relaxed);
+    }
+
+    /** [audio thread] */
+    void noteBadNumber() { badNumberCount.fetch_add (1, std::memory_order_relaxed); }
+
+    /** The largest magnitude since the last call, share of full scale. One reader. [any] */
+    float takePeak (int output) { return peaks[static_cast<std::size_t> (output)].exchange (0); }
+
+    /** Samples that were beyond full scale and were held there. [any] */
+    std::int64_t clampedSamples (int output) const { return clampedCounts[static_cast<std::size_t> (output)]; }
+
+    /** Blocks in which something that is not finite came in: it went out as 0. [any] */
+    std::int64_t badNumbers() const { return badNumberCount; }
+
+private:
+    std::array<std::atomic<float>, OutputRouting::maximumOutputs> peaks {};
+    std::array<std::atomic<std::int64_t>, OutputRouting::maximumOutputs> clampedCounts {};
+    std::atomic<std::int64_t> badNumberCount { 0 };
+};
+
 /** The channels of a block of the router. */
 struct RouterBlock
 {

@@ -1,9 +1,9 @@
 #include "RoutingPanel.h"
 
-#include "PanelSizes.h"
+#include "PanelParts.h"
 
 #include <Editor/EditorLook.h>
-#include <antinode_base/TypedNumber.h>
+#include <antinode_base/MessageText.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "AudioHost.h"
-#include "LevelBar.h"
+#include "PanelParts.h"
 
 #include <juce_gui_basics/juce_gui_basics.h>
 

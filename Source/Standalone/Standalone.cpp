@@ -1,14 +1,13 @@
 #include "Standalone.h"
 
-#include "ApplyOptions.h"
 #include "HeadlessRun.h"
 #include "MainWindow.h"
-#include "OptionValues.h"
+#include "StandaloneOptions.h"
 
 #include <antinode_audio/Interruption.h>
 #include <antinode_audio/QuietLibraries.h>
 #include <antinode_base/InputError.h>
-#include <antinode_base/StandardStreams.h>
+#include <antinode_base/System.h>
 
 #include <cstdio>
 #include <exception>

@@ -1,9 +1,9 @@
 #include "StandaloneHost.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_focus/DriveAllocation.h>
-#include <antinode_focus/FocusMoments.h>
+#include <antinode_focus/TargetField.h>
 
 #include <algorithm>
 #include <chrono>

@@ -1,20 +1,91 @@
 #include "TouchContent.h"
 
-#include "TouchSentences.h"
-
-#include <Editor/JuceText.h>
-
+#include <Editor/EditorLook.h>
+#include <Eigen/Core>
+#include <antinode_base/InputError.h>
 #include <antinode_base/Prefixes.h>
-#include <antinode_fingers/FeltMotion.h>
+#include <antinode_fingers/Sensation.h>
+#include <antinode_session/UserMessages.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace antinode
 {
+namespace
+{
+constexpr int firstOsc = 9000, firstTuio = 3333, pairs = 4; // as many instances can listen at once
+constexpr auto here = "127.0.0.1", everywhere = "0.0.0.0";
+
+juce::String portsText (const TouchPorts& ports)
+{
+    return "OSC " + juce::String (ports.oscPort) + ", TUIO " + juce::String (ports.tuioPort);
+}
+} // namespace
+
+TouchesButton::TouchesButton (TouchProcessor& processorToSet) : processor (processorToSet)
+{
+    setTooltip ("Touches by OSC and TUIO put fingers down, move and lift them. Click to open ports for them.");
+    onClick = [this] { showMenu(); };
+    refresh();
+}
+
+void TouchesButton::refresh()
+{
+    const auto ports = processor.network().ports();
+    const auto isOpen = ports.oscPort != 0 || ports.tuioPort != 0;
+    const auto& touches = processor.network().touches();
+    auto text = isOpen ? portsText (ports) + ": " + juce::String (touches.resting()) + " down"
+                       : juce::String ("OSC, TUIO: off");
+
+    if (const auto waiting = touches.waiting(); waiting > 0)
+        text << ", " << juce::String (waiting) << " wait";
+
+    setButtonText (text);
+}
+
+void TouchesButton::open (const TouchPorts& ports)
+{
+    try
+    {
+        failure.clear();
+        processor.network().open (ports);
+    }
+    catch (const InputError& error)
+    {
+        failure = juce::String::fromUTF8 (error.what());
+    }
+
+    refresh();
+}
+
+void TouchesButton::showMenu()
+{
+    const auto now = processor.network().ports();
+    juce::PopupMenu menu;
+    menu.addItem ("Off", true, now.oscPort == 0 && now.tuioPort == 0, [this] { open ({ 0, 0, here }); });
+
+    for (const auto* const address : { here, everywhere })
+    {
+        menu.addSectionHeader (juce::String (address) == here ? "From this computer" : "From the network");
+
+        for (int i = 0; i < pairs; ++i)
+        {
+            const TouchPorts ports { firstOsc + i, firstTuio + i, address };
+            const auto isOpen =
+                ports.oscPort == now.oscPort && ports.tuioPort == now.tuioPort && ports.address == now.address;
+            menu.addItem (portsText (ports), true, isOpen, [this, ports] { open (ports); });
+        }
+    }
+
+    menu.setLookAndFeel (&getLookAndFeel());
+    menu.showMenuAsync (juce::PopupMenu::Options().withTargetComponent (*this).withDeletionCheck (*this));
+}
+
 namespace
 {
 constexpr int voltsHeight = 40, panelWidth = 330;
@@ -211,5 +282,100 @@ void TouchContent::layOut (juce::Rectangle<int> area)
     voltages.setBounds (area.removeFromBottom (std::min (130, area.getHeight() / 4)));
     area.removeFromBottom (gap);
     surfaceView.setBounds (area);
+}
+
+namespace
+{
+std::string wholeNumber (double value)
+{
+    return std::to_string (std::lround (value));
+}
+
+/** What goes on. */
+std::string progressSentence (TouchProcessor& processor, const TouchSnapshot& snapshot)
+{
+    const auto foci = processor.session().focusProgress();
+
+    if (snapshot.isSolving)
+        return "Solving the device.";
+
+    if (snapshot.isDesigning)
+        return "Designing the filters: " + wholeNumber (100 * snapshot.progress) + " %.";
+
+    if (! foci.isDone())
+        return std::string ("Designing the foci of notes")
+               + (processor.session().fociUnderFingers() == FociUnderFingers::designing ? " for the fingers that rest: "
+                                                                                        : ": ")
+               + std::to_string (foci.designed) + " of " + std::to_string (foci.wanted) + ".";
+
+    return {};
+}
+
+/** What the fingers' levels need more than there is. */
+std::string loudSentence (TouchProcessor& processor, const TouchSnapshot& snapshot)
+{
+    const auto& parameters = processor.parameters();
+    const auto volts = noiseVolts (snapshot, parameters.controls(), parameters.settings().latency);
+
+    if (snapshot.model == nullptr || ! volts || *volts <= voltageLimits (*snapshot.model).minCoeff())
+        return {};
+
+    return "Loud: noise at these levels needs " + wholeNumber (*volts) + " V of "
+           + wholeNumber (voltageLimits (*snapshot.model).minCoeff())
+           + " V; what is beyond is cut, and then also felt elsewhere.";
+}
+
+std::string fociSentence (FociUnderFingers foci)
+{
+    return foci == FociUnderFingers::known      ? "The foci of notes know the fingers that rest."
+           : foci == FociUnderFingers::outdated ? "Fingers have moved: the foci of notes are those from before, "
+                                                  "until the fingers rest."
+                                                : "";
+}
+} // namespace
+
+std::optional<double> noiseVolts (const TouchSnapshot& snapshot, const PlayControls& controls, std::size_t latency)
+{
+    const auto& design = snapshot.designs[latency];
+
+    if (design == nullptr)
+        return {};
+
+    // Noises of different inputs add by their powers; three times their RMS cancels against the inputs'.
+    const Eigen::Map<const Eigen::ArrayXd> levels (controls.levels.data(), mostFingers);
+    const Eigen::VectorXd powers = design->noiseGains.array().square().matrix() * levels.square().matrix();
+    return std::sqrt (powers.maxCoeff());
+}
+
+juce::String latencyVoltsText (const TouchSnapshot& snapshot, const PlayControls& controls)
+{
+    juce::StringArray parts;
+
+    for (std::size_t i = 0; i < touchLatencies.size(); ++i)
+        if (const auto volts = noiseVolts (snapshot, controls, i))
+            parts.add (juce::String (juce::roundToInt (1000 * touchLatencies[i])) + " ms: "
+                       + (*volts < 10 ? juce::String (*volts, 1) : juce::String (juce::roundToInt (*volts))) + " V");
+
+    return parts.joinIntoString (",  ");
+}
+std::vector<UserMessage> touchSentences (TouchProcessor& processor, const TouchSnapshot& snapshot)
+{
+    auto messages = processor.messages();
+
+    if (auto progress = progressSentence (processor, snapshot); ! progress.empty())
+    {
+        addMessage (messages, Urgency::calm, progress);
+        return messages;
+    }
+
+    if (! processor.parameters().arm().get())
+        addMessage (messages, Urgency::calm, "Disarmed: all voltages are 0 V.");
+    else
+        addMessage (messages, Urgency::caution, loudSentence (processor, snapshot));
+
+    const auto unplayable = unplayableNotesMessage (processor.session().focusProgress(), processor.getSampleRate());
+    addMessage (messages, unplayable.urgency, unplayable.text);
+    addMessage (messages, Urgency::calm, fociSentence (processor.session().fociUnderFingers()));
+    return messages;
 }
 } // namespace antinode

@@ -1,22 +1,46 @@
 #pragma once
 
-#include "FingerPanel.h"
-#include "TouchSurface.h"
-#include "TouchesButton.h"
+#include "FingerViews.h"
+#include "TouchProcessor.h"
 
 #include <Editor/ContentEditor.h>
 #include <Editor/DriftPanel.h>
-#include <Editor/LevelRows.h>
-#include <Editor/LibraryButton.h>
+#include <Editor/Meters.h>
 #include <Editor/MotionView.h>
-
+#include <Editor/Presets.h>
 #include <antinode_session/SessionOwner.h>
+#include <juce_gui_basics/juce_gui_basics.h>
 
 #include <array>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace antinode
 {
+/** Says which ports are open for touches by OSC and TUIO and how many fingers they are, and opens others.
+    [message thread] */
+class TouchesButton final : public juce::TextButton
+{
+public:
+    explicit TouchesButton (TouchProcessor&);
+
+    /** Shows what has changed. */
+    void refresh();
+
+    /** Why the ports that were chosen last cannot be opened, or empty. */
+    juce::String error() const { return failure; }
+
+    /** Opens ports, as the menu does. */
+    void open (const TouchPorts&);
+
+private:
+    void showMenu();
+
+    TouchProcessor& processor;
+    juce::String failure;
+};
+
 /** What Antinode Touch shows. [message thread] */
 class TouchContent final : public WindowContent
 {
@@ -71,4 +95,15 @@ private:
 
 /** The window of Antinode Touch. */
 using TouchEditor = RoleEditor<TouchContent>;
+
+/** What Antinode Touch does just now that somebody has to wait for or to know; empty where it simply plays. [message
+    thread] */
+std::vector<UserMessage> touchSentences (TouchProcessor&, const TouchSnapshot&);
+
+/** The voltage, V, of the ceramic with most where every finger that plays gets noise that fills the band and whose
+    largest samples, three times its RMS, are 1.0; none where there are no filters for that latency yet. [any] */
+std::optional<double> noiseVolts (const TouchSnapshot&, const PlayControls&, std::size_t latency);
+
+/** The same for all latencies, in words. [any] */
+juce::String latencyVoltsText (const TouchSnapshot&, const PlayControls&);
 } // namespace antinode

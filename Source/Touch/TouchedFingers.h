@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_session/TouchSettings.h>
+#include <antinode_session/PlayControls.h>
 #include <antinode_touch/Touch.h>
 
 #include <array>

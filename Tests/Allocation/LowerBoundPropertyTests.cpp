@@ -1,4 +1,4 @@
-#include <antinode_allocation/LowerBound.h>
+#include <antinode_allocation/WaveformBound.h>
 
 #include <catch2/catch.hpp>
 

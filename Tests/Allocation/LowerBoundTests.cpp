@@ -1,7 +1,7 @@
 #include "AllocationInstances.h"
 
 #include <antinode_allocation/Allocation.h>
-#include <antinode_allocation/LowerBound.h>
+#include <antinode_allocation/WaveformBound.h>
 #include <antinode_base/InputError.h>
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include <antinode_base/Processes.h>
+#include <antinode_base/System.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include <antinode_base/RingQueue.h>
+#include <antinode_base/LockFreeExchange.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,6 @@
 #include "Support/TemporaryFolder.h"
 
-#include <antinode_base/Processes.h>
-#include <antinode_base/SystemFiles.h>
+#include <antinode_base/System.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include <antinode_base/TimeLeft.h>
+#include <antinode_base/Progress.h>
 
 #include <catch2/catch.hpp>
 

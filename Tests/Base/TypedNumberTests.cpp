@@ -1,4 +1,4 @@
-#include <antinode_base/TypedNumber.h>
+#include <antinode_base/MessageText.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 #include "Support/SineBeam.h"
 #include "Support/SinePlate.h"
 
-#include <antinode_focus/BankPlaces.h>
+#include <antinode_focus/FocusPlaces.h>
 #include <antinode_reports/BankCharts.h>
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include <antinode_reports/Contours.h>
+#include <antinode_reports/MapOverlays.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
-#include <antinode_reports/Curve.h>
-#include <antinode_reports/MapImage.h>
+#include <antinode_reports/CurveDrawing.h>
+#include <antinode_reports/MapDrawing.h>
 #include <antinode_reports/PlotFrame.h>
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <antinode_reports/Chart.h>
-#include <antinode_reports/Picture.h>
+#include <antinode_reports/ChartFile.h>
 #include <antinode_reports/Theme.h>
 
 #include <juce_graphics/juce_graphics.h>

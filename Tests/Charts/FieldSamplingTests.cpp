@@ -1,6 +1,6 @@
 #include "Support/SinePlate.h"
 
-#include <antinode_reports/FieldSampling.h>
+#include <antinode_reports/PlateCharts.h>
 
 #include <catch2/catch.hpp>
 

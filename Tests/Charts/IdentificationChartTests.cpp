@@ -1,4 +1,4 @@
-#include <antinode_reports/IdentificationCharts.h>
+#include <antinode_reports/IdentificationReport.h>
 
 #include <catch2/catch.hpp>
 

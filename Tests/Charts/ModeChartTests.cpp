@@ -1,7 +1,7 @@
 #include "Support/SineBeam.h"
 #include "Support/SinePlate.h"
 
-#include <antinode_reports/ModeCharts.h>
+#include <antinode_reports/ModesReport.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 #include <antinode_base/InputError.h>
-#include <antinode_reports/Spectrogram.h>
+#include <antinode_reports/FocusCharts.h>
 
 #include <catch2/catch.hpp>
 

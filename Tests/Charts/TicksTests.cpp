@@ -1,4 +1,3 @@
-#include <antinode_reports/Numbers.h>
 #include <antinode_reports/Ticks.h>
 
 #include <catch2/catch.hpp>

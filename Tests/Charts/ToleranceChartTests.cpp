@@ -1,4 +1,4 @@
-#include <antinode_reports/ToleranceCharts.h>
+#include <antinode_reports/ToleranceReport.h>
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 
 #include <antinode_documents/FocusFile.h>
 #include <antinode_text/OutputFolder.h>
-#include <antinode_text/WaveReader.h>
+#include <antinode_text/WaveFile.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "Support/RunProgram.h"
 
-#include <antinode_tasks/FieldNames.h>
+#include <antinode_tasks/Field.h>
 
 #include <catch2/catch.hpp>
 

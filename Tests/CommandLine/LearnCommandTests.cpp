@@ -4,11 +4,10 @@
 #include <antinode_documents/Inputs.h>
 #include <antinode_focus/Detuning.h>
 #include <antinode_measurement/SimulatedBench.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 #include <antinode_text/JsonText.h>
 #include <antinode_text/OutputFolder.h>
 #include <antinode_text/WaveFile.h>
-#include <antinode_text/WaveReader.h>
 
 #include <nlohmann/json.hpp>
 

@@ -9,7 +9,6 @@
 #include <antinode_text/JsonText.h>
 #include <antinode_text/OutputFolder.h>
 #include <antinode_text/WaveFile.h>
-#include <antinode_text/WaveReader.h>
 
 #include <catch2/catch.hpp>
 

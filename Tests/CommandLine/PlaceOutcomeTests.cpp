@@ -1,4 +1,4 @@
-#include <antinode_tasks/PlaceOutcome.h>
+#include <antinode_tasks/Place.h>
 
 #include <antinode_documents/Inputs.h>
 

@@ -4,7 +4,7 @@
 #include "Support/RunProgram.h"
 #include "Support/TemporaryFolder.h"
 
-#include <antinode_sweep/SweepFolder.h>
+#include <antinode_sweep/PartFolder.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "Support/RunProgram.h"
 
-#include <antinode_base/Processes.h>
+#include <antinode_base/System.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,8 +1,8 @@
 #include "Support/ErrorText.h"
 #include "Support/GoodFiles.h"
 
-#include <antinode_documents/ChangedDevice.h>
 #include <antinode_documents/DeviceFile.h>
+#include <antinode_documents/MeasuredDevice.h>
 #include <antinode_text/JsonText.h>
 
 #include <catch2/catch.hpp>

@@ -2,7 +2,7 @@
 
 #include <antinode_base/WholeFile.h>
 #include <antinode_documents/DeviceFile.h>
-#include <antinode_documents/FocusWords.h>
+#include <antinode_documents/FocusFile.h>
 #include <antinode_structure/Materials.h>
 
 #include <nlohmann/json.hpp>

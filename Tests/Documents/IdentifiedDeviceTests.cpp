@@ -1,7 +1,7 @@
 #include "Support/SineBeam.h"
 
 #include <antinode_documents/DeviceFile.h>
-#include <antinode_documents/IdentifiedDevice.h>
+#include <antinode_documents/MeasuredDevice.h>
 
 #include <nlohmann/json.hpp>
 

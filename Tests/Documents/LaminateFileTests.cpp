@@ -1,7 +1,7 @@
 #include "Support/ErrorText.h"
 
 #include <antinode_documents/DeviceFile.h>
-#include <antinode_structure/SoftLayers.h>
+#include <antinode_structure/PlateWaves.h>
 
 #include <nlohmann/json.hpp>
 

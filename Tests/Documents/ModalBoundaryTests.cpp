@@ -2,7 +2,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_documents/DeviceFile.h>
-#include <antinode_model/BoundedSurface.h>
+#include <antinode_model/Surface.h>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

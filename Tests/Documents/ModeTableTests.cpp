@@ -1,7 +1,7 @@
 #include "Support/ErrorText.h"
 #include "Support/GridModel.h"
 
-#include <antinode_documents/ModeTable.h>
+#include <antinode_documents/TableExport.h>
 
 #include <catch2/catch.hpp>
 

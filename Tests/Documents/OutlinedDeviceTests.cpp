@@ -1,7 +1,6 @@
 #include "Support/ErrorText.h"
 
 #include <antinode_documents/DeviceFile.h>
-#include <antinode_documents/OutlineFile.h>
 #include <antinode_documents/OutlineReader.h>
 #include <antinode_structure/DescribedModel.h>
 

@@ -2,7 +2,7 @@
 
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_documents/FocusFile.h>
-#include <antinode_documents/SkinThresholdFile.h>
+#include <antinode_documents/SkinThresholds.h>
 #include <antinode_documents/WaveformsFile.h>
 #include <antinode_text/JsonText.h>
 

@@ -1,5 +1,5 @@
+#include <antinode_documents/DeviceFile.h>
 #include <antinode_documents/Inputs.h>
-#include <antinode_documents/UnlikelyValues.h>
 #include <antinode_text/JsonText.h>
 
 #include <catch2/catch.hpp>

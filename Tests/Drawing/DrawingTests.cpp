@@ -2,7 +2,7 @@
 
 #include <antinode_base/WholeFile.h>
 #include <antinode_outline/Drawing.h>
-#include <antinode_outline/FreeCurve.h>
+#include <antinode_outline/PathBuilder.h>
 #include <catch2/catch.hpp>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "EditorFixture.h"
 
-#include <antinode_session/FollowingWords.h>
 #include <antinode_session/KnownDrift.h>
+#include <antinode_session/UserMessages.h>
 
 #include <Editor/DriftPanel.h>
 

@@ -1,7 +1,7 @@
 #include "EditorFixture.h"
 #include "Support/TemporaryFolder.h"
 
-#include <Editor/EditorPreferences.h>
+#include <Editor/ContentEditor.h>
 
 #include <catch2/catch.hpp>
 

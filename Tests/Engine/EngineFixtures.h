@@ -1,8 +1,7 @@
 #pragma once
 
 #include <antinode_model/ModalModel.h>
-#include <antinode_model/Oscillation.h>
-#include <antinode_model/Playback.h>
+#include <antinode_model/VoltageProgram.h>
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include <antinode_engine/EventDelay.h>
+#include <antinode_engine/FocusEvents.h>
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 #include "Support/AllocationCount.h"
 
 #include <antinode_engine/PlateModel.h>
-#include <antinode_focus/BrakeDrives.h>
+#include <antinode_focus/Brake.h>
 #include <antinode_focus/Prediction.h>
 
 #include <Support/SineBeam.h>

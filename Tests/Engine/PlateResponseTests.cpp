@@ -1,8 +1,8 @@
 #include "EngineFixtures.h"
 
 #include <antinode_engine/PlateModel.h>
-#include <antinode_numerics/GaussLegendre.h>
 #include <antinode_numerics/KaiserSinc.h>
+#include <antinode_numerics/Quadrature.h>
 
 #include <Support/AdaptiveOde.h>
 

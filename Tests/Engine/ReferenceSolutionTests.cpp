@@ -1,4 +1,4 @@
-#include <antinode_numerics/GaussLegendre.h>
+#include <antinode_numerics/Quadrature.h>
 
 #include <Support/AdaptiveOde.h>
 

@@ -1,7 +1,7 @@
 #include "EngineFixtures.h"
 #include "Support/AllocationCount.h"
 
-#include <antinode_engine/SafetyRamp.h>
+#include <antinode_engine/VoltageLimiter.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_focus/ExpectedError.h>
+#include <antinode_focus/Tolerance.h>
 #include <antinode_identification/Identification.h>
 #include <antinode_identification/IdentifiedModel.h>
 #include <antinode_learning/Retuning.h>

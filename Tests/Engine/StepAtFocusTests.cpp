@@ -2,8 +2,8 @@
 
 #include <antinode_engine/PlateModel.h>
 #include <antinode_engine/VoltageSynthesiser.h>
-#include <antinode_numerics/GaussLegendre.h>
 #include <antinode_numerics/KaiserSinc.h>
+#include <antinode_numerics/Quadrature.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include <antinode_fingers/FeltMotion.h>
+#include <antinode_fingers/Sensation.h>
 
 #include <catch2/catch.hpp>
 

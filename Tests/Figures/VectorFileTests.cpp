@@ -2,12 +2,10 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_numerics/ParallelFor.h>
-#include <antinode_reports/BlankImage.h>
 #include <antinode_reports/CairoContext.h>
-#include <antinode_reports/CairoHandles.h>
+#include <antinode_reports/ChartFile.h>
 #include <antinode_reports/Drawing.h>
-#include <antinode_reports/FigureFiles.h>
-#include <antinode_reports/VectorFile.h>
+#include <antinode_reports/Report.h>
 
 #include <catch2/catch.hpp>
 

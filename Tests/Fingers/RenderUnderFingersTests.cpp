@@ -2,8 +2,8 @@
 
 #include <antinode_documents/Inputs.h>
 #include <antinode_documents/Library.h>
-#include <antinode_focus/WideDesign.h>
-#include <antinode_render/FingerMotion.h>
+#include <antinode_focus/SpillOver.h>
+#include <antinode_render/Summary.h>
 
 #include <catch2/catch.hpp>
 

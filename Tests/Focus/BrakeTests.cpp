@@ -1,10 +1,10 @@
 #include "Support/SineBeam.h"
 
 #include <antinode_engine/OfflineRender.h>
-#include <antinode_focus/BrakeDrives.h>
+#include <antinode_focus/Brake.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/ModeDrives.h>
 #include <antinode_focus/Prediction.h>
-#include <antinode_focus/Transients.h>
 
 #include <catch2/catch.hpp>
 

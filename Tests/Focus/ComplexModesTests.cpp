@@ -5,10 +5,9 @@
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/FocusScore.h>
+#include <antinode_focus/ModeDrives.h>
 #include <antinode_focus/Prediction.h>
-#include <antinode_focus/ProgramMotion.h>
 #include <antinode_focus/Tolerance.h>
-#include <antinode_focus/Transients.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 #include "Support/SineBeam.h"
 
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_focus/DriveDictionary.h>
+#include <antinode_focus/ModeDrives.h>
 #include <antinode_focus/Prediction.h>
 
 #include <catch2/catch.hpp>

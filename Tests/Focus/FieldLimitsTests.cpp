@@ -3,7 +3,6 @@
 
 #include <antinode_documents/Inputs.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_focus/FieldLimits.h>
 #include <antinode_focus/Projection.h>
 #include <antinode_model/RigidMotion.h>
 #include <antinode_structure/DeviceDescription.h>

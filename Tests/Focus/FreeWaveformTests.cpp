@@ -5,7 +5,6 @@
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/Prediction.h>
-#include <antinode_focus/SampledPrediction.h>
 
 #include <catch2/catch.hpp>
 

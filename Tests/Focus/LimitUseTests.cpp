@@ -2,7 +2,7 @@
 
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_focus/LimitWords.h>
+#include <antinode_focus/LimitUse.h>
 
 #include <catch2/catch.hpp>
 

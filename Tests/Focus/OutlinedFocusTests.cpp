@@ -2,7 +2,7 @@
 #include "Support/CircularPlates.h"
 
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_outline/OutlineShapes.h>
+#include <antinode_outline/PathBuilder.h>
 #include <antinode_structure/OutlinedModel.h>
 
 #include <cmath>

@@ -2,7 +2,6 @@
 
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/Prediction.h>
-#include <antinode_focus/ProgramMotion.h>
 #include <antinode_focus/Repetition.h>
 
 #include <catch2/catch.hpp>

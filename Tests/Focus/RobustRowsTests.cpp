@@ -1,13 +1,12 @@
 #include "Support/SineBeam.h"
 
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_focus/DetunedResponses.h>
 #include <antinode_focus/Detuning.h>
+#include <antinode_focus/ModeDrives.h>
 #include <antinode_focus/Prediction.h>
 #include <antinode_focus/RobustRows.h>
 #include <antinode_focus/StateRows.h>
 #include <antinode_focus/Tolerance.h>
-#include <antinode_focus/Transients.h>
 
 #include <catch2/catch.hpp>
 

@@ -3,9 +3,9 @@
 #include <antinode_base/InputError.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_focus/LimitError.h>
+#include <antinode_focus/FocusDesign.h>
+#include <antinode_focus/FreeSamples.h>
 #include <antinode_focus/LimitUse.h>
-#include <antinode_focus/SmoothEdges.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 #include "Support/SineBeam.h"
 
+#include <antinode_focus/FreeSamples.h>
 #include <antinode_focus/Prediction.h>
-#include <antinode_focus/SparseSamples.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 #include <antinode_documents/DeviceFile.h>
 #include <antinode_documents/Library.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_focus/SuitableFocus.h>
+#include <antinode_focus/FocusPlaces.h>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

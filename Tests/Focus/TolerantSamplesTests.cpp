@@ -3,7 +3,7 @@
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/Detuning.h>
 #include <antinode_focus/Tolerance.h>
-#include <antinode_focus/TolerantSamples.h>
+#include <antinode_focus/WaveformProblem.h>
 
 #include <catch2/catch.hpp>
 

@@ -2,8 +2,8 @@
 
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/FocusDesign.h>
 #include <antinode_focus/FocusScore.h>
-#include <antinode_focus/LimitError.h>
 #include <antinode_focus/Prediction.h>
 
 #include <catch2/catch.hpp>

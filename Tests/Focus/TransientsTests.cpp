@@ -1,8 +1,8 @@
 #include "Support/AdaptiveOde.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_focus/ModeDrives.h>
 #include <antinode_focus/Prediction.h>
-#include <antinode_focus/Transients.h>
 
 #include <catch2/catch.hpp>
 

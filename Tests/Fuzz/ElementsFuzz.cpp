@@ -1,6 +1,6 @@
 #include "Fuzz.h"
 
-#include <antinode_import/TouchedSurface.h>
+#include <antinode_import/ImportedDevice.h>
 
 /** Results of finite elements. */
 void antinode::test::fuzz (std::string_view bytes)

@@ -1,8 +1,7 @@
-#include <antinode_graph/FilterNode.h>
-#include <antinode_graph/InputNode.h>
+#include <antinode_graph/InputNodes.h>
 #include <antinode_graph/NodeGraph.h>
-#include <antinode_graph/SlewNode.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_graph/OutputNodes.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <catch2/catch.hpp>
 

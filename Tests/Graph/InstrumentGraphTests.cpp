@@ -4,7 +4,7 @@
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_graph/InstrumentGraph.h>
-#include <antinode_graph/LimiterNode.h>
+#include <antinode_graph/OutputNodes.h>
 
 #include <catch2/catch.hpp>
 

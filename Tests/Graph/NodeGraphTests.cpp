@@ -1,10 +1,8 @@
 #include <antinode_base/InputError.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_graph/AllocationNode.h>
-#include <antinode_graph/ForceNode.h>
 #include <antinode_graph/MidiTriggers.h>
 #include <antinode_graph/NodeGraph.h>
-#include <antinode_graph/PlayerNode.h>
+#include <antinode_graph/VoiceNode.h>
 
 #include <Support/SineBeam.h>
 

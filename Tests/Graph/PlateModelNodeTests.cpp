@@ -1,8 +1,7 @@
 #include "Support/SinePlate.h"
 
-#include <antinode_engine/PlanarBuffer.h>
-#include <antinode_graph/PlateModelNode.h>
-#include <antinode_graph/PlateNode.h>
+#include <antinode_engine/AlignedBuffers.h>
+#include <antinode_graph/SurfaceNode.h>
 
 #include <catch2/catch.hpp>
 

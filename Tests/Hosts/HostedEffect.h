@@ -2,7 +2,7 @@
 
 #include <Support/Environment.h>
 
-#include <Processor/VST3Channels.h>
+#include <Processor/HostChannels.h>
 
 #include <Eigen/Core>
 #include <juce_audio_processors/juce_audio_processors.h>

@@ -3,7 +3,7 @@
 #include "Support/Environment.h"
 #include "Support/JuceMessages.h"
 
-#include <Processor/VST3Channels.h>
+#include <Processor/HostChannels.h>
 
 #include <algorithm>
 #include <atomic>

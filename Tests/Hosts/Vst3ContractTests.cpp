@@ -1,6 +1,6 @@
 #include "RawVst3.h"
 
-#include <antinode_documents/FocusWords.h>
+#include <antinode_documents/FocusFile.h>
 
 #include <catch2/catch.hpp>
 #include <juce_core/juce_core.h>

@@ -1,8 +1,7 @@
 #include "Support/ErrorText.h"
 
 #include <antinode_identification/IdentifiedModel.h>
-#include <antinode_identification/SurfaceCells.h>
-#include <antinode_outline/OutlineShapes.h>
+#include <antinode_outline/PathBuilder.h>
 
 #include <catch2/catch.hpp>
 

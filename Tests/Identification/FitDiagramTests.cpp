@@ -2,7 +2,6 @@
 
 #include <antinode_identification/FitDiagram.h>
 #include <antinode_identification/Identification.h>
-#include <antinode_identification/ResponseLines.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #include "Support/ErrorText.h"
 
-#include <antinode_identification/RecordEffects.h>
+#include <antinode_identification/ImpulseResponses.h>
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_identification/Identification.h>
-#include <antinode_identification/ResponseOnset.h>
+#include <antinode_identification/ImpulseResponses.h>
 
 #include <catch2/catch.hpp>
 

@@ -2,10 +2,10 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_identification/KnownModeFit.h>
+#include <antinode_learning/LearningEquations.h>
 #include <antinode_learning/LearningProblem.h>
-#include <antinode_learning/ResponseEquations.h>
 #include <antinode_learning/Retuning.h>
-#include <antinode_model/ShapesAtPlaces.h>
+#include <antinode_model/ModalModel.h>
 
 #include <catch2/catch.hpp>
 

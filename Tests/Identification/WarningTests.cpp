@@ -2,7 +2,6 @@
 #include "Support/IdentificationScore.h"
 
 #include <antinode_identification/Identification.h>
-#include <antinode_identification/PointSample.h>
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "Support/CircularPlates.h"
 
-#include <antinode_outline/OutlineShapes.h>
+#include <antinode_outline/PathBuilder.h>
 #include <antinode_structure/BendingModes.h>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

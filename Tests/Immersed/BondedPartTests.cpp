@@ -1,5 +1,5 @@
-#include <antinode_numerics/GaussLegendre.h>
-#include <antinode_structure/BondedPart.h>
+#include <antinode_numerics/Quadrature.h>
+#include <antinode_structure/BendingProblem.h>
 #include <antinode_structure/CeramicBond.h>
 
 #include <catch2/catch.hpp>

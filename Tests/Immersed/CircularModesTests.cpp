@@ -1,6 +1,6 @@
 #include "BendingExamples.h"
 
-#include <antinode_numerics/GaussLegendre.h>
+#include <antinode_numerics/Quadrature.h>
 
 #include <numbers>
 #include <random>

@@ -1,6 +1,6 @@
 #include "BendingExamples.h"
 
-#include <antinode_structure/PatchShapes.h>
+#include <antinode_structure/BendingProblem.h>
 
 #include <numbers>
 

@@ -3,8 +3,8 @@
 #include <antinode_focus/SpillOver.h>
 #include <antinode_learning/ChooseSensors.h>
 #include <antinode_learning/LearnModes.h>
-#include <antinode_model/ShapesAtPlaces.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_model/ModalModel.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <catch2/catch.hpp>
 

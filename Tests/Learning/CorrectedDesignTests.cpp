@@ -2,7 +2,7 @@
 
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/Prediction.h>
-#include <antinode_learning/CorrectedDesign.h>
+#include <antinode_learning/LearntDesign.h>
 
 #include <catch2/catch.hpp>
 

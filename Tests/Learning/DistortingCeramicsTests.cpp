@@ -1,10 +1,9 @@
 #include "LearningBench.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_learning/CubedVoltages.h>
-#include <antinode_learning/EquivalentLinear.h>
 #include <antinode_learning/LearningParameters.h>
-#include <antinode_learning/LowerRate.h>
+#include <antinode_learning/LearntDesign.h>
+#include <antinode_learning/PlayedRecording.h>
 #include <antinode_learning/PlayedVoltages.h>
 
 #include <catch2/catch.hpp>

@@ -5,9 +5,8 @@
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/Detuning.h>
 #include <antinode_focus/SpillOver.h>
-#include <antinode_learning/LowerRate.h>
 #include <antinode_learning/PlayedRecording.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <cmath>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "LearningBench.h"
 
 #include <antinode_learning/LearnModes.h>
-#include <antinode_learning/PlayPrediction.h>
+#include <antinode_learning/RecordingDelays.h>
 
 #include <catch2/catch.hpp>
 

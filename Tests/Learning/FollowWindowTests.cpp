@@ -1,7 +1,7 @@
 #include "DriftingBeam.h"
 
 #include <antinode_learning/FollowWindow.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include <antinode_learning/ForceTaps.h>
+#include <antinode_learning/MovingMode.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 #include "Support/SineBeam.h"
 
 #include <antinode_learning/DrivenModes.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <catch2/catch.hpp>
 

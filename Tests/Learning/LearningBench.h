@@ -6,7 +6,7 @@
 #include <antinode_focus/Detuning.h>
 #include <antinode_focus/FocusScore.h>
 #include <antinode_learning/LearningPasses.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <cmath>
 #include <vector>

@@ -2,8 +2,8 @@
 
 #include <antinode_focus/SpillOver.h>
 #include <antinode_learning/LearningProblem.h>
-#include <antinode_learning/UsualDeviations.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_learning/ModeSpread.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <Eigen/Cholesky>
 #include <catch2/catch.hpp>

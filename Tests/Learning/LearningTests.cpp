@@ -2,8 +2,8 @@
 
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_learning/LearningProblem.h>
-#include <antinode_learning/LikelyDelays.h>
-#include <antinode_learning/LowerRate.h>
+#include <antinode_learning/PlayedRecording.h>
+#include <antinode_learning/RecordingDelays.h>
 
 #include <catch2/catch.hpp>
 

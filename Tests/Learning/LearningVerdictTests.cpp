@@ -1,6 +1,6 @@
 #include "Support/SineBeam.h"
 
-#include <antinode_learning/LearningVerdict.h>
+#include <antinode_learning/LearningPasses.h>
 
 #include <catch2/catch.hpp>
 

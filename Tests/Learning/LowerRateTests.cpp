@@ -1,8 +1,8 @@
 #include "Support/SineBeam.h"
 
 #include <antinode_focus/SpillOver.h>
-#include <antinode_learning/LowerRate.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_learning/PlayedRecording.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <catch2/catch.hpp>
 

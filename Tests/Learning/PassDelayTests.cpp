@@ -1,7 +1,7 @@
 #include "Support/ErrorText.h"
 
-#include <antinode_learning/PassDelay.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_learning/RecordingDelays.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,10 +1,10 @@
 #include "Support/SineBeam.h"
 
-#include <antinode_learning/CubedVoltages.h>
-#include <antinode_learning/HeardParameters.h>
+#include <antinode_learning/LearningEquations.h>
 #include <antinode_learning/LearningProblem.h>
-#include <antinode_learning/RecordingEquations.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_learning/ParameterEffects.h>
+#include <antinode_learning/PlayedVoltages.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include <antinode_learning/RingingBefore.h>
+#include <antinode_learning/DriftProblem.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,6 @@
 #include "Support/ErrorText.h"
 #include "Support/TemporaryFolder.h"
 
-#include <antinode_documents/DrawnOutline.h>
 #include <antinode_documents/Library.h>
 #include <antinode_documents/OutlineReader.h>
 #include <antinode_outline/Drawing.h>

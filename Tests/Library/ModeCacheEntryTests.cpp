@@ -2,7 +2,7 @@
 #include "Support/GridModel.h"
 #include "Support/SameModel.h"
 
-#include <antinode_documents/ModeCacheEntry.h>
+#include <antinode_documents/ModeCache.h>
 
 #include <catch2/catch.hpp>
 

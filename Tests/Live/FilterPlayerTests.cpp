@@ -1,6 +1,6 @@
 #include "Support/AllocationCount.h"
 
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 #include <antinode_tracks/FilterPlayer.h>
 
 #include <catch2/catch.hpp>

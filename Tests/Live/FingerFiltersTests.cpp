@@ -3,7 +3,6 @@
 
 #include <antinode_base/Watch.h>
 #include <antinode_render/PlayedTracks.h>
-#include <antinode_render/TrackScores.h>
 #include <antinode_tracks/LiveTracks.h>
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,6 @@
-#include <antinode_numerics/RandomNumbers.h>
-#include <antinode_tracks/FilterGains.h>
+#include <antinode_numerics/Statistics.h>
 #include <antinode_tracks/FilterPlayer.h>
-#include <antinode_tracks/InputMotion.h>
+#include <antinode_tracks/FingerFilters.h>
 
 #include <catch2/catch.hpp>
 

@@ -4,9 +4,8 @@
 #include <antinode_base/Watch.h>
 #include <antinode_fingers/LoadedModel.h>
 #include <antinode_render/PlayedTracks.h>
-#include <antinode_render/TrackScores.h>
+#include <antinode_tracks/FilterDesign.h>
 #include <antinode_tracks/LiveTracks.h>
-#include <antinode_tracks/QuickFilterDesigner.h>
 
 #include <catch2/catch.hpp>
 

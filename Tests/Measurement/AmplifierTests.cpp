@@ -2,7 +2,7 @@
 #include "Support/SineBeam.h"
 
 #include <antinode_measurement/Amplifier.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #include "MeasuredBeam.h"
 
-#include <antinode_measurement/Multisine.h>
+#include <antinode_measurement/Excitation.h>
 #include <antinode_numerics/Fourier.h>
 
 #include <Support/ErrorText.h>

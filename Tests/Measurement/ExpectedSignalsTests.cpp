@@ -1,4 +1,4 @@
-#include <antinode_measurement/ExpectedSignals.h>
+#include <antinode_measurement/SimulatedBench.h>
 
 #include "MeasuredBeam.h"
 

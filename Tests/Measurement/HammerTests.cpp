@@ -5,7 +5,7 @@
 #include <Support/ErrorText.h>
 
 #include <antinode_identification/Identification.h>
-#include <antinode_identification/RecordEffects.h>
+#include <antinode_identification/ImpulseResponses.h>
 #include <antinode_responses/HammerMeasurement.h>
 #include <antinode_responses/MeasurementReader.h>
 #include <antinode_responses/UniversalFile.h>

@@ -1,7 +1,7 @@
 #include "MeasuredBeam.h"
 
-#include <antinode_measurement/Latency.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_measurement/RunAnalysis.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <Support/ErrorText.h>
 

@@ -2,7 +2,7 @@
 
 #include <antinode_engine/PlateModel.h>
 #include <antinode_measurement/RunAnalysis.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <Support/ErrorText.h>
 

@@ -1,4 +1,4 @@
-#include <antinode_model/SquareCells.h>
+#include <antinode_model/Surface.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
-#include <antinode_numerics/ComplexKernels.h>
 #include <antinode_numerics/Decompositions.h>
+#include <antinode_numerics/DenseKernels.h>
 
 #include <catch2/catch.hpp>
 

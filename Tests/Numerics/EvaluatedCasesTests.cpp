@@ -1,5 +1,5 @@
 #include <antinode_base/Watch.h>
-#include <antinode_numerics/EvaluatedCases.h>
+#include <antinode_numerics/ParallelFor.h>
 
 #include <catch2/catch.hpp>
 

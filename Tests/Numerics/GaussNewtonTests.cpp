@@ -1,5 +1,5 @@
 #include <antinode_numerics/GaussNewton.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <catch2/catch.hpp>
 

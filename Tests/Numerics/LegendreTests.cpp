@@ -1,4 +1,4 @@
-#include <antinode_numerics/Legendre.h>
+#include <antinode_numerics/Quadrature.h>
 
 #include <catch2/catch.hpp>
 

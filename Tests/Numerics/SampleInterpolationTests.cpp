@@ -1,6 +1,5 @@
 #include <antinode_numerics/KaiserSinc.h>
-#include <antinode_numerics/RandomNumbers.h>
-#include <antinode_numerics/SampleInterpolation.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <catch2/catch.hpp>
 

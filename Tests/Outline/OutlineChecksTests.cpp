@@ -1,10 +1,8 @@
 #include "Support/BrokenOutlines.h"
 #include "Support/ErrorText.h"
 
-#include <antinode_outline/OutlineShapes.h>
 #include <antinode_outline/PathBuilder.h>
 #include <antinode_outline/PathSweep.h>
-#include <antinode_outline/PieceMeeting.h>
 #include <catch2/catch.hpp>
 
 #include <cmath>

@@ -1,4 +1,3 @@
-#include <antinode_outline/OutlineShapes.h>
 #include <antinode_outline/PathBuilder.h>
 #include <catch2/catch.hpp>
 

@@ -5,7 +5,6 @@
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_render/RenderedFocus.h>
 #include <antinode_text/WaveFile.h>
-#include <antinode_text/WaveReader.h>
 
 #include <catch2/catch.hpp>
 

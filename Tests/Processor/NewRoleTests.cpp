@@ -1,6 +1,6 @@
-#include <Processor/GroupBuilder.h>
-#include <Processor/ParameterTexts.h>
-#include <Processor/RoleProcessor.h>
+#include <Processor/DeviceProcessor.h>
+#include <Processor/ParameterSet.h>
+#include <Processor/ParameterTypes.h>
 #include <antinode_session/DeviceRounds.h>
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,4 @@
 #include <antinode_documents/Inputs.h>
-#include <antinode_documents/SkinThresholdFile.h>
 #include <antinode_documents/SkinThresholds.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_render/RenderedFocus.h>

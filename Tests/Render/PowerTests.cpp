@@ -1,6 +1,6 @@
 #include <antinode_documents/Inputs.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_render/FocusPower.h>
+#include <antinode_render/PowerFlow.h>
 #include <antinode_render/RenderedFocus.h>
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include <antinode_reports/FeltTradeoffReport.h>
+#include <antinode_reports/TradeoffReport.h>
 
 #include <nlohmann/json.hpp>
 

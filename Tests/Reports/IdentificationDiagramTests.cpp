@@ -1,5 +1,3 @@
-#include <antinode_reports/CompactNumbers.h>
-#include <antinode_reports/DiagramData.h>
 #include <antinode_reports/IdentificationDiagram.h>
 #include <antinode_reports/IdentificationTables.h>
 

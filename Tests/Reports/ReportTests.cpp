@@ -1,7 +1,6 @@
+#include <antinode_reports/ChartFile.h>
 #include <antinode_reports/Html.h>
-#include <antinode_reports/Picture.h>
 #include <antinode_reports/Report.h>
-#include <antinode_reports/ReportStyle.h>
 #include <antinode_reports/Theme.h>
 #include <antinode_reports/Utf8.h>
 

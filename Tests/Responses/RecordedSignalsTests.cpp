@@ -1,6 +1,6 @@
 #include <antinode_responses/HammerMeasurement.h>
 #include <antinode_responses/MeasurementReader.h>
-#include <antinode_responses/RecordedContainers.h>
+#include <antinode_responses/RecordedSignals.h>
 
 #include <Support/ErrorText.h>
 

@@ -1,6 +1,6 @@
 #include "PlayedRole.h"
 
-#include <Processor/StepParameters.h>
+#include <Processor/ParameterTypes.h>
 
 #include <catch2/catch.hpp>
 

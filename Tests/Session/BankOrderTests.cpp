@@ -1,4 +1,4 @@
-#include <antinode_session/BankOrder.h>
+#include <antinode_session/NoteBank.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include <antinode_session/DesignSentences.h>
+#include <antinode_session/UserMessages.h>
 
 #include <catch2/catch.hpp>
 

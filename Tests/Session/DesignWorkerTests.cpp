@@ -1,9 +1,9 @@
 #include "Support/SineBeam.h"
 #include "Support/WaitForBank.h"
 
-#include <antinode_focus/BankPlaces.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_graph/PlayerNode.h>
+#include <antinode_focus/FocusPlaces.h>
+#include <antinode_graph/VoiceNode.h>
 #include <antinode_session/DesignWorker.h>
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include <antinode_session/DesignedDrift.h>
+#include <antinode_session/KnownDrift.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include <antinode_session/FingerMovement.h>
+#include <antinode_session/FilterDesigner.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 #include "Support/SinePlate.h"
 
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_session/PlaceDesigner.h>
+#include <antinode_session/DesignWorker.h>
 
 #include <catch2/catch.hpp>
 

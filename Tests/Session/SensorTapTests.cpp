@@ -1,4 +1,4 @@
-#include <antinode_session/RecentFrames.h>
+#include <antinode_session/SensorTap.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,4 +1,4 @@
-#include <antinode_session/TriggerQueue.h>
+#include <antinode_session/AudioEntry.h>
 
 #include <catch2/catch.hpp>
 

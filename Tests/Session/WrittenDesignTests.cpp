@@ -3,8 +3,8 @@
 #include <antinode_base/InputError.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_session/Documents.h>
 #include <antinode_session/SessionState.h>
-#include <antinode_session/WrittenDesign.h>
 
 #include <catch2/catch.hpp>
 

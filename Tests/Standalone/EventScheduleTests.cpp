@@ -1,5 +1,4 @@
-#include <Standalone/EventSchedule.h>
-#include <Standalone/MidiQueue.h>
+#include <Standalone/MidiNotes.h>
 
 #include "Support/ErrorText.h"
 #include "Support/TemporaryFolder.h"

@@ -1,4 +1,4 @@
-#include <Standalone/FollowingReport.h>
+#include <Standalone/HeadlessRun.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,6 +1,6 @@
 #include "Support/AllocationCount.h"
 
-#include <Standalone/InputView.h>
+#include <Standalone/AudioPanel.h>
 #include <Standalone/StandaloneHost.h>
 
 #include <catch2/catch.hpp>

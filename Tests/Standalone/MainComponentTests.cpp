@@ -1,4 +1,4 @@
-#include <Standalone/MainComponent.h>
+#include <Standalone/MainWindow.h>
 
 #include "Support/EditorTools.h"
 #include "Support/TemporaryFolder.h"

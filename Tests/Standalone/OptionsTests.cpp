@@ -1,6 +1,5 @@
-#include <Standalone/ApplyOptions.h>
-#include <Standalone/OptionValues.h>
 #include <Standalone/Standalone.h>
+#include <Standalone/StandaloneOptions.h>
 
 #include "Support/ErrorText.h"
 

@@ -1,4 +1,4 @@
-#include <Standalone/OutputRouting.h>
+#include <Standalone/OutputRouter.h>
 
 #include "Support/ErrorText.h"
 

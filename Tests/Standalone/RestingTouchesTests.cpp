@@ -1,4 +1,4 @@
-#include <Standalone/RestingTouches.h>
+#include <Standalone/TouchInput.h>
 
 #include <antinode_documents/FingerFile.h>
 

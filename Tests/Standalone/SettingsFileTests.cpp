@@ -2,8 +2,8 @@
 #include "Support/TemporaryFolder.h"
 
 #include <Processor/AntinodeProcessor.h>
-#include <Standalone/SettingsFile.h>
-#include <antinode_base/Processes.h>
+#include <Standalone/StandaloneSettings.h>
+#include <antinode_base/System.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
-#include <Standalone/OptionValues.h>
 #include <Standalone/StandaloneHost.h>
+#include <Standalone/StandaloneOptions.h>
 
 #include "Support/BlockingActions.h"
 #include "Support/LargestDevice.h"

@@ -1,5 +1,5 @@
-#include <Standalone/MainComponent.h>
-#include <Standalone/OptionValues.h>
+#include <Standalone/MainWindow.h>
+#include <Standalone/StandaloneOptions.h>
 #include <Standalone/TouchHost.h>
 
 #include "Support/TemporaryFolder.h"

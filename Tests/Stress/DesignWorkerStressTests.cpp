@@ -1,6 +1,6 @@
-#include <antinode_focus/BankPlaces.h>
+#include <antinode_focus/FocusPlaces.h>
 #include <antinode_graph/InstrumentGraph.h>
-#include <antinode_graph/LimiterNode.h>
+#include <antinode_graph/OutputNodes.h>
 #include <antinode_session/DesignWorker.h>
 
 #include <Support/SineBeam.h>

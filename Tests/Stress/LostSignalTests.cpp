@@ -1,6 +1,6 @@
 #include <antinode_session/DesignWorker.h>
 #include <antinode_session/DeviceRounds.h>
-#include <antinode_session/SessionSnapshot.h>
+#include <antinode_session/Session.h>
 
 #include <Support/SineBeam.h>
 

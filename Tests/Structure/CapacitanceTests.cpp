@@ -1,7 +1,7 @@
 #include "StructureExamples.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_structure/Capacitance.h>
+#include <antinode_structure/DescribedCeramic.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,9 +1,9 @@
 #include "SectionReferences.h"
 
-#include <antinode_outline/OutlineShapes.h>
+#include <antinode_outline/PathBuilder.h>
 #include <antinode_structure/BendingModes.h>
-#include <antinode_structure/Capacitance.h>
-#include <antinode_structure/PatchShapes.h>
+#include <antinode_structure/BendingProblem.h>
+#include <antinode_structure/DescribedCeramic.h>
 
 #include <numbers>
 

@@ -3,7 +3,7 @@
 #include "Immersed/BendingExamples.h"
 #include "Support/CircularPlates.h"
 
-#include <antinode_outline/OutlineShapes.h>
+#include <antinode_outline/PathBuilder.h>
 #include <antinode_structure/OutlinedModel.h>
 
 #include <algorithm>

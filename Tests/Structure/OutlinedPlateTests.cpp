@@ -4,7 +4,7 @@
 #include "Support/CircularPlates.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_outline/OutlineShapes.h>
+#include <antinode_outline/PathBuilder.h>
 #include <antinode_structure/OutlinedModel.h>
 #include <antinode_structure/PlacementCandidates.h>
 

@@ -1,6 +1,6 @@
 #include "PlateExamples.h"
 
-#include <antinode_outline/OutlineShapes.h>
+#include <antinode_outline/PathBuilder.h>
 #include <antinode_structure/PlateSection.h>
 #include <antinode_structure/StaticShare.h>
 

@@ -1,6 +1,6 @@
 #include "StructureExamples.h"
 
-#include <antinode_structure/BeamSection.h>
+#include <antinode_structure/ElementChain.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 #include "PlateExamples.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_structure/PlacementExchange.h>
+#include <antinode_structure/PlacementSearch.h>
 #include <antinode_structure/Placing.h>
 
 #include <catch2/catch.hpp>

@@ -2,8 +2,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_documents/Inputs.h>
-#include <antinode_outline/OutlineShapes.h>
-#include <antinode_structure/Controllability.h>
+#include <antinode_outline/PathBuilder.h>
 #include <antinode_structure/Placing.h>
 
 #include <random>

@@ -1,8 +1,8 @@
 #include "PlateExamples.h"
 #include "SectionReferences.h"
 
-#include <antinode_structure/ShearModulus.h>
-#include <antinode_structure/SoftLayers.h>
+#include <antinode_structure/Materials.h>
+#include <antinode_structure/PlateWaves.h>
 
 #include <numbers>
 

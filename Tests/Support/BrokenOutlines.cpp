@@ -1,6 +1,5 @@
 #include "BrokenOutlines.h"
 
-#include <antinode_outline/OutlineShapes.h>
 #include <antinode_outline/PathBuilder.h>
 
 #include <cmath>

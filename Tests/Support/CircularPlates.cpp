@@ -1,7 +1,7 @@
 #include "CircularPlates.h"
 
 #include <Eigen/Dense>
-#include <antinode_numerics/GaussLegendre.h>
+#include <antinode_numerics/Quadrature.h>
 
 #include <algorithm>
 #include <cmath>

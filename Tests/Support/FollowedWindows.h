@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_session/FollowingStatus.h>
+#include <antinode_session/Following.h>
 
 #include <chrono>
 #include <thread>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 #include <antinode_tracks/WindowedResponses.h>
 
 #include <Eigen/Core>

@@ -4,8 +4,8 @@
 #include <antinode_documents/Inputs.h>
 #include <antinode_focus/Tolerance.h>
 #include <antinode_sweep/CaseEvaluator.h>
+#include <antinode_sweep/PartFolder.h>
 #include <antinode_sweep/SweepCases.h>
-#include <antinode_sweep/SweepFolder.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <catch2/catch.hpp>

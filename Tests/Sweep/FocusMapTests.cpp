@@ -2,7 +2,7 @@
 
 #include <antinode_documents/Inputs.h>
 #include <antinode_documents/SkinThresholds.h>
-#include <antinode_focus/BankPlaces.h>
+#include <antinode_focus/FocusPlaces.h>
 #include <antinode_focus/FocusScore.h>
 #include <antinode_focus/Prediction.h>
 #include <antinode_render/RenderedFocus.h>

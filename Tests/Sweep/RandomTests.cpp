@@ -1,4 +1,4 @@
-#include <antinode_sweep/Philox.h>
+#include <antinode_sweep/Distribution.h>
 
 #include <catch2/catch.hpp>
 

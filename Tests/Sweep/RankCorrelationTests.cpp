@@ -1,4 +1,4 @@
-#include <antinode_sweep/SweepSummary.h>
+#include <antinode_sweep/SweepTable.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,9 +1,9 @@
 #include "Support/ErrorText.h"
 #include "Support/TemporaryFolder.h"
 
-#include <antinode_base/Processes.h>
+#include <antinode_base/System.h>
 #include <antinode_sweep/CaseEvaluator.h>
-#include <antinode_sweep/SweepFolder.h>
+#include <antinode_sweep/PartFolder.h>
 #include <antinode_sweep/SweepTable.h>
 #include <antinode_text/OutputFolder.h>
 

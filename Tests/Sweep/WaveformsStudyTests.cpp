@@ -3,12 +3,12 @@
 
 #include <antinode_base/Prefixes.h>
 #include <antinode_documents/Inputs.h>
+#include <antinode_documents/Library.h>
 #include <antinode_documents/SkinThresholds.h>
-#include <antinode_documents/TrackModels.h>
 #include <antinode_render/PerformedWaveforms.h>
 #include <antinode_sweep/CaseEvaluator.h>
-#include <antinode_sweep/RecordedSignals.h>
-#include <antinode_sweep/SweepFolder.h>
+#include <antinode_sweep/PartFolder.h>
+#include <antinode_sweep/SweepInputs.h>
 #include <antinode_sweep/SweepTable.h>
 #include <antinode_text/OutputFolder.h>
 #include <antinode_text/WaveFile.h>

@@ -1,7 +1,6 @@
 #include "Support/ErrorText.h"
 
 #include <antinode_text/WaveFile.h>
-#include <antinode_text/WaveReader.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 #include "OscWriter.h"
 
 #include <antinode_touch/TouchMessages.h>
-#include <antinode_touch/TouchRateLimit.h>
+#include <antinode_touch/TouchReceiver.h>
 
 #include <catch2/catch.hpp>
 

@@ -3,7 +3,6 @@
 #include "PlayedTouch.h"
 
 #include <antinode_render/PlayedTracks.h>
-#include <antinode_render/TrackScores.h>
 
 namespace antinode::test
 {

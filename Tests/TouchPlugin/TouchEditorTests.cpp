@@ -1,7 +1,6 @@
 #include "PlayedTouch.h"
 
 #include <Touch/TouchContent.h>
-#include <Touch/TouchSentences.h>
 
 #include <Support/EditorTools.h>
 

@@ -3,7 +3,7 @@
 
 #include <antinode_engine/PlateModel.h>
 #include <antinode_focus/Detuning.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <catch2/catch.hpp>
 

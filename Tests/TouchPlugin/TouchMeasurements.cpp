@@ -1,7 +1,6 @@
 #include "PlayedTouch.h"
 
 #include <antinode_render/PlayedTracks.h>
-#include <antinode_render/TrackScores.h>
 
 #include <catch2/catch.hpp>
 

@@ -2,7 +2,7 @@
 #include "Support/SinePlate.h"
 
 #include <antinode_render/PerformedWaveforms.h>
-#include <antinode_render/TrackAlignment.h>
+#include <antinode_render/PlayedTracks.h>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

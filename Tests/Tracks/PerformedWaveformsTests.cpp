@@ -3,8 +3,7 @@
 #include <antinode_documents/DesignFile.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_focus/ExpectedError.h>
-#include <antinode_render/PerformedDesign.h>
+#include <antinode_focus/Tolerance.h>
 #include <antinode_render/PerformedWaveforms.h>
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 #include "Support/SinePlate.h"
 
-#include <antinode_tracks/ResponseTable.h>
+#include <antinode_tracks/PointResponses.h>
 #include <antinode_tracks/WindowedResponses.h>
 
 #include <catch2/catch.hpp>

@@ -1,10 +1,8 @@
 #include "Support/ErrorText.h"
 #include "Support/SinePlate.h"
 
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 #include <antinode_render/PlayedTracks.h>
-#include <antinode_render/TrackCorrection.h>
-#include <antinode_render/TrackScores.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,10 +1,9 @@
 #include "Support/ErrorText.h"
 #include "Support/SinePlate.h"
 
-#include <antinode_tracks/PointDistances.h>
+#include <antinode_tracks/PointResponses.h>
 #include <antinode_tracks/TrackDesign.h>
-#include <antinode_tracks/TrackMemory.h>
-#include <antinode_tracks/WantedMotion.h>
+#include <antinode_tracks/TrackWork.h>
 
 #include <catch2/catch.hpp>
 

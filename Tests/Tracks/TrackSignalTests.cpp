@@ -1,8 +1,7 @@
-#include <antinode_fingers/FeltDisplacement.h>
-#include <antinode_fingers/FeltMotion.h>
+#include <antinode_fingers/Sensation.h>
 #include <antinode_numerics/Fourier.h>
-#include <antinode_numerics/SampleInterpolation.h>
-#include <antinode_tracks/WantedMotion.h>
+#include <antinode_numerics/KaiserSinc.h>
+#include <antinode_tracks/TrackWork.h>
 
 #include <catch2/catch.hpp>
 

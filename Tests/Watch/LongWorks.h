@@ -2,7 +2,7 @@
 
 #include "Structure/PlateExamples.h"
 
-#include <antinode_documents/FocusWords.h>
+#include <antinode_documents/FocusFile.h>
 #include <antinode_documents/Inputs.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_structure/DeviceDescription.h>

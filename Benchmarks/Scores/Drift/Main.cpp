@@ -4,10 +4,9 @@
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/Detuning.h>
 #include <antinode_focus/SpillOver.h>
-#include <antinode_learning/DriftTrace.h>
-#include <antinode_learning/LowerRate.h>
-#include <antinode_numerics/Median.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_learning/FollowDrift.h>
+#include <antinode_learning/PlayedRecording.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <algorithm>
 #include <cmath>

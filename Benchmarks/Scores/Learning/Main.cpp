@@ -1,17 +1,16 @@
 #include <antinode_base/InputError.h>
-#include <antinode_base/Processes.h>
+#include <antinode_base/System.h>
 #include <antinode_documents/Inputs.h>
 #include <antinode_documents/Library.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/Detuning.h>
 #include <antinode_focus/ModeWeighing.h>
-#include <antinode_identification/FrequencyDrift.h>
+#include <antinode_identification/Comparison.h>
 #include <antinode_learning/LearningPasses.h>
+#include <antinode_learning/ModeSpread.h>
 #include <antinode_learning/Retuning.h>
-#include <antinode_learning/UsualDeviations.h>
 #include <antinode_measurement/SimulatedBench.h>
-#include <antinode_numerics/Median.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <algorithm>
 #include <cmath>

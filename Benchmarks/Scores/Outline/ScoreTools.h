@@ -2,8 +2,8 @@
 
 #include "OutlineScores.h"
 
-#include <antinode_base/NumberText.h>
-#include <antinode_structure/PatchShapes.h>
+#include <antinode_base/MessageText.h>
+#include <antinode_structure/BendingProblem.h>
 
 #include <Eigen/LU>
 

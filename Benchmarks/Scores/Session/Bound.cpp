@@ -7,15 +7,14 @@
 // plug-in. They are played on the plate model with as many modes as can be solved, to 5 times the highest known
 // frequency.
 
-#include <antinode_allocation/LowerBound.h>
+#include <antinode_allocation/WaveformBound.h>
 #include <antinode_documents/Inputs.h>
 #include <antinode_engine/OfflineRender.h>
-#include <antinode_focus/BankPlaces.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_focus/DesignSteps.h>
+#include <antinode_focus/FocusPlaces.h>
 #include <antinode_focus/FocusScore.h>
-#include <antinode_numerics/Median.h>
-#include <antinode_session/PlaceDesigner.h>
+#include <antinode_numerics/Statistics.h>
+#include <antinode_session/DesignWorker.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,10 +4,10 @@
 //     antinode_bank_scores device focus [places [limit in V...]]
 
 #include <antinode_documents/Inputs.h>
-#include <antinode_focus/BankPlaces.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_numerics/Median.h>
-#include <antinode_session/PlaceDesigner.h>
+#include <antinode_focus/FocusPlaces.h>
+#include <antinode_numerics/Statistics.h>
+#include <antinode_session/DesignWorker.h>
 
 #include <algorithm>
 #include <chrono>

@@ -5,10 +5,10 @@
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/ModeWeighing.h>
 #include <antinode_learning/LearningPasses.h>
+#include <antinode_learning/ModeSpread.h>
 #include <antinode_learning/Retuning.h>
-#include <antinode_learning/UsualDeviations.h>
-#include <antinode_model/ShapesAtPlaces.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_model/ModalModel.h>
+#include <antinode_numerics/Statistics.h>
 #include <antinode_structure/DeviceDescription.h>
 
 #include <nlohmann/json.hpp>

@@ -1,9 +1,8 @@
 #include "SolidPlate.h"
 
-#include <antinode_model/ShapesAtPlaces.h>
+#include <antinode_model/ModalModel.h>
 #include <antinode_numerics/KaiserSinc.h>
-#include <antinode_numerics/RandomNumbers.h>
-#include <antinode_numerics/SampleInterpolation.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,13 +1,11 @@
 #include "ScoreTools.h"
 
 #include <antinode_fingers/LoadedModel.h>
-#include <antinode_learning/PassDelay.h>
+#include <antinode_learning/RecordingDelays.h>
 #include <antinode_numerics/Fourier.h>
 #include <antinode_numerics/KaiserSinc.h>
-#include <antinode_numerics/RandomNumbers.h>
-#include <antinode_numerics/SampleInterpolation.h>
+#include <antinode_numerics/Statistics.h>
 #include <antinode_render/PlayedTracks.h>
-#include <antinode_render/TrackCorrection.h>
 #include <antinode_tracks/TrackSolver.h>
 #include <antinode_tracks/TrackWork.h>
 

@@ -1,6 +1,6 @@
 #include "ScoreTools.h"
 
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <cmath>
 #include <cstdio>

@@ -1,9 +1,9 @@
 #include "ScoreTools.h"
 
 #include <antinode_fingers/LoadedModel.h>
+#include <antinode_tracks/FilterDesign.h>
 #include <antinode_tracks/FilterPlayer.h>
 #include <antinode_tracks/LiveTracks.h>
-#include <antinode_tracks/QuickFilterDesigner.h>
 
 #include <cmath>
 #include <cstdio>

@@ -2,7 +2,7 @@
 
 #include <antinode_documents/Inputs.h>
 #include <antinode_documents/SkinThresholds.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 #include <antinode_render/PlayedTracks.h>
 
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <antinode_model/ModalModel.h>
-#include <antinode_numerics/Median.h>
-#include <antinode_render/TrackScores.h>
+#include <antinode_numerics/Statistics.h>
+#include <antinode_render/PlayedTracks.h>
 #include <antinode_tracks/TrackDesign.h>
 
 #include <algorithm>

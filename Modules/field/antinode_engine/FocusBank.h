@@ -1,17 +1,122 @@
 #pragma once
 
-#include "PlayableBrake.h"
-#include "PlayableSamples.h"
+#include "AlignedBuffers.h"
+#include "SampleKernel.h"
 #include "VoltageSynthesiser.h"
 
+#include <antinode_base/LockFreeExchange.h>
+#include <antinode_model/VoltageProgram.h>
+
 #include <array>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace antinode
 {
+/** The brakes of a focus, ready to be begun when they were designed to, or later, when a note ends: they meet their
+   modes where free decay has taken them. Read only once made. Docs/Theory.md, section 6.6. */
+class PlayableBrake
+{
+public:
+    static constexpr std::size_t maximumOscillations = 2048;
+
+    /** @param brakes  a program of brakes only, 1 to maximumOscillations of them
+        @throws InputError  as VoltageSynthesiser
+        [worker] allocates */
+    PlayableBrake (const VoltageProgram& brakes, Playback);
+
+    /** The brakes as they were designed. [any] */
+    const VoltageSynthesiser& designed() const { return synthesiser; }
+
+    /** The first sample that may be played, from the trigger, where the brakes begin as designed. [any] */
+    std::int64_t startSample() const { return start; }
+
+    /** Nothing sounds from this sample on where they begin as designed. [any] */
+    std::int64_t endSample() const { return end; }
+
+    /** The number of samples of free decay after which every mode is down to 0.1 %, with nothing left to brake. [any]
+     */
+    std::int64_t longestDelay() const { return longest; }
+
+    /** The factors of the brakes if they start later.
+        @param delay    samples, 0 or more
+        @param factors  room for one an oscillation
+        [audio thread] an exponential, a sine and a cosine for every mode: some 10 us for 2048 of them */
+    void factorsAfter (std::int64_t delay, std::span<std::complex<double>> factors) const;
+
+private:
+    /** The mode of an oscillation, and how its brake rotates with it. */
+    struct Mode
+    {
+        double decay = 0, frequency = 0;    // a, 1/s, and b, rad/s
+        std::complex<double> with, against; // the factor is with e^{s tau} - against conj (e^{s tau})
+
+        bool isAs (const Mode& other) const
+        {
+            return decay == other.decay && frequency == other.frequency && with == other.with
+                   && against == other.against;
+        }
+    };
+
+    static Mode toMode (const Oscillation&);
+
+    VoltageSynthesiser synthesiser;
+    double rate;
+    std::int64_t start = 0, end = 0, longest = 0;
+    std::vector<Mode> modes;
+};
+
+/** The sample, from the trigger, on which the first of a program's own samples falls.
+    @param focusSample  on which the focus falls
+    @throws InputError  where they were made for another playback, or not for every ceramic
+    [any] */
+std::int64_t firstOwnSample (const VoltageProgram&, Playback, std::int64_t focusSample);
+
+/** A free waveform, ready to be played: samples in single precision, each ceramic's one after the other. Read only once
+    made. Docs/Theory.md, section 6.6. */
+class PlayableSamples
+{
+public:
+    /** @param program  with samples
+        @throws InputError  as firstOwnSample, or where a sample is not finite
+        [worker] allocates */
+    PlayableSamples (const VoltageProgram& program, Playback, std::int64_t focusSample);
+
+    /** From the trigger: none of the samples sounds before it. [any] */
+    std::int64_t startSample() const { return start; }
+
+    /** Nothing sounds from this sample on. [any] */
+    std::int64_t endSample() const { return end; }
+
+    /** The number of channels. [any] */
+    int channelCount() const { return static_cast<int> (samples.size()); }
+
+    /** What they take of the memory. [any] */
+    std::size_t bytes() const { return channelCount() * static_cast<std::size_t> (end - start) * sizeof (float); }
+
+    /** Adds the samples first .. first + count - 1, times an amplitude, to planar channels.
+        @param amplitude  no unit
+        @param channels   channelCount() pointers, V; sample n of the block is added at channels[i][offset + n]
+        [audio thread] allocates nothing, locks nothing, any count >= 0, any order of blocks */
+    void add (std::int64_t first, int count, double amplitude, double* const* channels,
+              std::ptrdiff_t offset = 0) const;
+
+    /** The same, where a voice fades.
+        @param gains  of each sample of the block
+        [audio thread] as add */
+    void addFaded (std::int64_t first, int count, double amplitude, const double* gains, double* const* channels) const;
+
+private:
+    std::int64_t start = 0, end = 0;
+    PlanarBuffer<float> samples;
+    SampleKernel kernel = sampleKernel();
+};
+
 /** A designed focus, ready to play; read-only. */
 struct PlayableFocus
 {
@@ -67,4 +172,7 @@ struct FocusBank
     @throws InputError  where their samples would take more than mostSampleBytes
     [any] */
 void requireRoomInBank (const PlayableFocus&, std::size_t foci);
+
+/** Banks of foci between the worker that designs them and the player. */
+using BankHandOver = HandOver<FocusBank>;
 } // namespace antinode

@@ -1,10 +1,240 @@
 #include "FocusPlayer.h"
 
+#include <antinode_base/InputError.h>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
 
 namespace antinode
 {
+namespace
+{
+constexpr double longestFade = 1; // s
+} // namespace
+
+FocusVoices::FocusVoices (int ceramicsToUse, double sampleRate, PlayerSettings settingsToUse, int maximumForcesToUse)
+    : ceramics (ceramicsToUse),
+      fadeLength (std::max<std::int64_t> (1, std::llround (settingsToUse.fadeTime * sampleRate))),
+      settings (settingsToUse), maximumForces (maximumForcesToUse)
+{
+    if (ceramics < 1 || ! (sampleRate > 0 && std::isfinite (sampleRate)))
+        throw InputError ("player", "needs at least one ceramic and a positive sample rate");
+
+    if (! (settings.fadeTime >= 0 && settings.fadeTime <= longestFade))
+        throw InputError ("player", "fade time is " + std::to_string (settings.fadeTime) + " s; allowed: 0 to 1 s");
+
+    for (std::int64_t n = 0; n < fadeLength; ++n)
+        fadeGains.push_back (
+            0.5 + 0.5 * std::cos (std::numbers::pi * static_cast<double> (n + 1) / static_cast<double> (fadeLength)));
+
+    brakeFactors.resize (allVoices);
+}
+
+void FocusVoices::setSettings (const PlayerSettings& wanted)
+{
+    const auto fadeTime = settings.fadeTime;
+    settings = wanted;
+    settings.fadeTime = fadeTime;
+}
+
+FocusVoices::~FocusVoices()
+{
+    for (const auto& used : banks)
+        delete used.bank;
+}
+
+std::int64_t FocusVoices::Voice::end (std::int64_t fadeLength) const
+{
+    auto own = trigger + focus->endSample;
+
+    if (const auto& brake = focus->brake)
+        own = std::max (
+            own,
+            trigger + (holdsBrake ? brake->startSample() + brake->longestDelay() : brake->endSample() + brakeDelay));
+
+    return fadeStart == never ? own : std::min (own, fadeStart + fadeLength);
+}
+
+int FocusVoices::activeVoices() const
+{
+    return static_cast<int> (
+        std::count_if (voices.begin(), voices.end(), [] (const Voice& voice) { return voice.focus != nullptr; }));
+}
+
+void FocusVoices::reset()
+{
+    for (auto& voice : voices)
+        if (voice.focus != nullptr)
+            finish (voice);
+}
+
+void FocusVoices::takeBank()
+{
+    // The last place for a bank is found again only when voices end: until then the newest bank waits where it is.
+    const auto place =
+        std::find_if (banks.begin(), banks.end(), [] (const UsedBank& used) { return used.bank == nullptr; });
+
+    if (place == banks.end())
+        return;
+
+    if (const auto* const bank = exchange.take())
+    {
+        *place = { bank, 0 };
+        current = static_cast<int> (place - banks.begin());
+        latency = bank->latestFocusSample();
+    }
+}
+
+void FocusVoices::giveUnusedBanks()
+{
+    for (int i = 0; i < static_cast<int> (banks.size()); ++i)
+    {
+        auto& used = banks[static_cast<std::size_t> (i)];
+
+        if (used.bank != nullptr && used.users == 0 && i != current && exchange.canGiveBack())
+        {
+            exchange.giveBack (used.bank);
+            used.bank = nullptr;
+        }
+    }
+}
+
+void FocusVoices::finish (Voice& voice)
+{
+    --banks[static_cast<std::size_t> (voice.bank)].users;
+    voice = {};
+}
+
+void FocusVoices::finishEnded()
+{
+    for (auto& voice : voices)
+        if (voice.focus != nullptr && voice.end (fadeLength) <= clock)
+            finish (voice);
+}
+
+void FocusVoices::fade (Voice& voice)
+{
+    if (voice.fadeStart == never)
+        voice.fadeStart = clock;
+}
+
+template <typename Condition>
+void FocusVoices::fadeWhere (Condition condition)
+{
+    for (auto& voice : voices)
+        if (voice.focus != nullptr && condition (voice))
+            fade (voice);
+}
+
+void FocusVoices::releaseBrake (Voice& voice)
+{
+    const auto& brake = *voice.focus->brake;
+    voice.holdsBrake = false;
+    voice.brakeDelay = std::max<std::int64_t> (0, clock - voice.trigger - brake.startSample());
+
+    if (voice.brakeDelay > 0)
+        brake.factorsAfter (voice.brakeDelay, brakeFactors[voiceIndex (voice)]);
+}
+
+void FocusVoices::release (int place)
+{
+    if (settings.noteOff == NoteOffBehaviour::fade)
+        fadeWhere ([&] (const Voice& voice) { return voice.place == place; });
+
+    for (auto& voice : voices)
+        if (voice.holdsBrake && voice.fadeStart == never && voice.place == place)
+            releaseBrake (voice);
+}
+
+void FocusVoices::handle (const FocusEvent& event)
+{
+    switch (event.kind)
+    {
+        case FocusEventKind::trigger:
+            trigger (event);
+            break;
+        case FocusEventKind::release:
+            release (event.place);
+            break;
+        case FocusEventKind::stopAll:
+            fadeWhere ([] (const Voice&) { return true; });
+            break;
+    }
+}
+
+FocusVoices::Voice& FocusVoices::freeVoice()
+{
+    const auto sounds = [] (const Voice& voice) { return voice.focus != nullptr && voice.fadeStart == never; };
+    const auto isOlder = [&] (const Voice& a, const Voice& b)
+    { return sounds (a) != sounds (b) ? sounds (a) : a.order < b.order; };
+
+    if (std::count_if (voices.begin(), voices.end(), sounds) >= soundingVoices)
+    {
+        fade (*std::min_element (voices.begin(), voices.end(), isOlder));
+        ++counts.stolen;
+    }
+
+    const auto unused =
+        std::find_if (voices.begin(), voices.end(), [] (const Voice& voice) { return voice.focus == nullptr; });
+
+    if (unused != voices.end())
+        return *unused;
+
+    // All of them play or fade: the one whose fade began first has the least left.
+    auto& nearlyDone = *std::min_element (voices.begin(), voices.end(),
+                                          [] (const Voice& a, const Voice& b) { return a.fadeStart < b.fadeStart; });
+    finish (nearlyDone);
+    ++counts.cut;
+    return nearlyDone;
+}
+
+bool FocusVoices::cutAnother (const Voice& kept)
+{
+    Voice* leastImportant = nullptr;
+
+    for (auto& voice : voices)
+        if (voice.focus != nullptr && &voice != &kept
+            && (leastImportant == nullptr
+                || std::pair (voice.fadeStart, voice.order)
+                       < std::pair (leastImportant->fadeStart, leastImportant->order)))
+            leastImportant = &voice;
+
+    if (leastImportant == nullptr)
+        return false;
+
+    finish (*leastImportant);
+    ++counts.cut;
+    return true;
+}
+
+void FocusVoices::trigger (const FocusEvent& event)
+{
+    const auto isPlace = event.place >= 0 && event.place < FocusBank::places && std::isfinite (event.amplitude);
+    const auto* const bank = current >= 0 ? banks[static_cast<std::size_t> (current)].bank : nullptr;
+    const auto* const focus =
+        bank != nullptr && isPlace ? bank->foci[static_cast<std::size_t> (event.place)].get() : nullptr;
+
+    if (focus == nullptr || focus->synthesiser.channelCount() != ceramics || focus->forceCount() > maximumForces)
+    {
+        ++counts.empty;
+        return;
+    }
+
+    if (settings.retrigger == RetriggerBehaviour::restart)
+        fadeWhere ([&] (const Voice& voice) { return voice.place == event.place; });
+
+    auto& voice = freeVoice();
+    const auto delay = settings.focusOnNote ? latency - focus->synthesiser.focusSample() : 0;
+    voice = { focus, current, event.place, event.amplitude, clock + delay, counts.triggered };
+    voice.holdsBrake = settings.noteOff == NoteOffBehaviour::brake && focus->brake.has_value();
+    ++banks[static_cast<std::size_t> (current)].users;
+    ++counts.triggered;
+}
+
 FocusPlayer::FocusPlayer (int ceramicsToUse, double sampleRate, PlayerSettings playerSettings)
     : FocusVoices (ceramicsToUse, sampleRate, playerSettings, std::numeric_limits<int>::max()),
       scratch (ceramics, fadeChunk), shifted (static_cast<std::size_t> (ceramics))

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "FocusVoices.h"
+#include "FocusPlayer.h"
 
 namespace antinode
 {

@@ -1,6 +1,6 @@
 #include "OfflineRender.h"
 
-#include "PlayableSamples.h"
+#include "FocusBank.h"
 #include "VoltageLimiter.h"
 #include "VoltageSynthesiser.h"
 

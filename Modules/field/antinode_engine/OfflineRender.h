@@ -2,7 +2,7 @@
 
 #include "PlateModel.h"
 
-#include <antinode_model/Oscillation.h>
+#include <antinode_model/VoltageProgram.h>
 
 #include <cstdint>
 #include <functional>

@@ -2,7 +2,7 @@
 
 #include <antinode_model/ModalModel.h>
 #include <antinode_model/ModalRecursion.h>
-#include <antinode_model/Playback.h>
+#include <antinode_model/VoltageProgram.h>
 
 #include <Eigen/Core>
 

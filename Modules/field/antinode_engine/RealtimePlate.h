@@ -1,6 +1,6 @@
 #pragma once
 
-#include "AlignedVector.h"
+#include "AlignedBuffers.h"
 #include "PlateKernel.h"
 #include "ProbeKernel.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "AlignedVector.h"
+#include "AlignedBuffers.h"
 
-#include <antinode_model/Oscillation.h>
+#include <antinode_model/VoltageProgram.h>
 
 #include <complex>
 #include <cstdint>

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "AlignedVector.h"
+#include "AlignedBuffers.h"
 #include "PhasorKernel.h"
 #include "SynthesisKernel.h"
 #include "TilePhasors.h"
 
-#include <antinode_model/Oscillation.h>
-#include <antinode_model/Playback.h>
+#include <antinode_model/VoltageProgram.h>
 
 #include <Eigen/Core>
 

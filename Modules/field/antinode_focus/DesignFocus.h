@@ -2,7 +2,6 @@
 
 #include "DriveAllocation.h"
 #include "FocusDesign.h"
-#include "LimitError.h"
 
 namespace antinode
 {
@@ -32,4 +31,25 @@ FocusDesign designModes (const ModalModel&, const FocusDescription&, const std::
 /** The largest voltage of any ceramic that the drives of a design and their release ask for, before any limiter. V.
     [any] */
 double peakVoltage (const FocusDesign&);
+
+// designFocus in two steps, for designs of which several are tried and one is finished.
+
+/** What is played until the focus: target, modes, transients, allocation. [worker] As designFocus. */
+FocusDesign allocateFocus (const ModalModel&, const FocusDescription&, Playback, DesignExtent);
+
+/** Adds the brake, what the extent asks to know, and remarks.
+    @param model  the one that it was allocated for [worker] */
+FocusDesign finishDesign (FocusDesign, const ModalModel& model, DesignExtent);
+
+/** Gives a design its program: drives and their allocation, with the certificate. Where one drive per mode cannot meet
+   the limit, exact rows get further drives before they are refused.
+    @param design  with what is wanted, when, and of which modes
+    @throws LimitError  when the limits cannot be kept; Cancelled, InputError as solveAllocation
+    [worker] Docs/Theory.md, sections 3 and 4. */
+void allocateProgram (FocusDesign& design, const ModalModel&);
+
+/** The same as samples of any form.
+    @throws InputError  where samples are no answer: on devices with slew limits; LimitError as above
+    [worker] Docs/Theory.md, section 4.9. */
+void sampleProgram (FocusDesign& design, const ModalModel&, DesignExtent);
 } // namespace antinode

@@ -1,14 +1,13 @@
 #include "DesignRemarks.h"
 
 #include "DriveAllocation.h"
-#include "FieldLimits.h"
 #include "FocusScore.h"
-#include "LimitWords.h"
+#include "LimitUse.h"
 #include "Prediction.h"
 #include "Projection.h"
 
-#include <antinode_allocation/LowerBound.h>
-#include <antinode_base/NumberText.h>
+#include <antinode_allocation/WaveformBound.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
 
 #include <algorithm>

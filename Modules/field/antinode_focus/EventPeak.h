@@ -1,6 +1,6 @@
 #pragma once
 
-#include "FieldPeak.h"
+#include "FocusScore.h"
 
 namespace antinode
 {

@@ -4,9 +4,9 @@
 #include "LimitUse.h"
 
 #include <antinode_allocation/Allocation.h>
+#include <antinode_base/InputError.h>
 #include <antinode_model/ModalModel.h>
-#include <antinode_model/Oscillation.h>
-#include <antinode_model/Playback.h>
+#include <antinode_model/VoltageProgram.h>
 
 #include <optional>
 #include <string>
@@ -82,4 +82,22 @@ struct FocusDesign
     std::vector<std::string> choices;  ///< What was chosen and why, in sentences.
     std::vector<std::string> warnings; ///< In sentences.
 };
+
+/** The wanted focus cannot be reached within the limits. The text gives what the drives need at least, in the unit of
+    the limit, and the highest feasible velocity. */
+class LimitError : public InputError
+{
+public:
+    LimitError (const std::string& where, const std::string& wrong, double minimumPeakVoltageToUse,
+                double reachableVelocityToUse);
+
+    double minimumPeakVoltage; ///< V: the least peak of these drives that reaches the wanted field.
+    double reachableVelocity;  ///< m/s: the peak velocity that the limit allows.
+};
+
+/** @param design      with its program, its certificate and the peak velocity that was wanted
+    @throws LimitError  when its allocation shows that the limits cannot be met: which one, where, when, and what it
+   would take
+    [worker] */
+void throwWhereBeyondLimit (const FocusDesign& design, const ModalModel&);
 } // namespace antinode

@@ -1,9 +1,9 @@
 #include "ModeWeighing.h"
 
-#include "LimitError.h"
+#include "FocusDesign.h"
 #include "Projection.h"
 
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,11 @@
 #include "PlacedDesigns.h"
 
 #include "DriveAllocation.h"
-#include "DriveGrid.h"
-#include "FocusMoments.h"
+#include "ModeDrives.h"
 #include "ModeWeighing.h"
 #include "Projection.h"
 #include "StateRows.h"
-#include "Transients.h"
+#include "TargetField.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>

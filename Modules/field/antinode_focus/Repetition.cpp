@@ -1,8 +1,7 @@
 #include "Repetition.h"
 
-#include "DriveGrid.h"
+#include "DriveAllocation.h"
 #include "Prediction.h"
-#include "ProgramMotion.h"
 
 #include <antinode_base/Watch.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <antinode_model/ModalModel.h>
-#include <antinode_model/Oscillation.h>
+#include <antinode_model/VoltageProgram.h>
 
 #include <optional>
 #include <vector>

@@ -4,7 +4,6 @@
 #include "FocusScore.h"
 #include "LimitUse.h"
 #include "Prediction.h"
-#include "SampledPrediction.h"
 
 #include <antinode_base/Watch.h>
 #include <antinode_numerics/ParallelFor.h>

@@ -3,8 +3,7 @@
 #include "FocusDescription.h"
 
 #include <antinode_model/ModalModel.h>
-#include <antinode_model/Oscillation.h>
-#include <antinode_model/Playback.h>
+#include <antinode_model/VoltageProgram.h>
 
 #include <cstddef>
 #include <functional>

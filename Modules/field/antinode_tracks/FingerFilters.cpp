@@ -1,13 +1,16 @@
 #include "FingerFilters.h"
 
-#include "FilterProblem.h"
-#include "RateChange.h"
-
-#include "PointDistances.h"
-#include "TrackClimb.h"
+#include "FilterDesign.h"
+#include "PointResponses.h"
+#include "TrackSolver.h"
 #include "TrackWork.h"
 
+#include <antinode_numerics/Fourier.h>
+#include <antinode_numerics/KaiserSinc.h>
+
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace antinode
@@ -54,5 +57,72 @@ FingerFilters designFingerFilters (const ModalModel& model, const WaveformsDescr
     }
 
     return filters;
+}
+
+FilterBank silentBank (Eigen::Index ceramics, Eigen::Index inputs, FilterTiming timing)
+{
+    return { inputs, timing.taps, timing.factor, Eigen::MatrixXf::Zero (ceramics, inputs * timing.taps),
+             std::vector<bool> (static_cast<std::size_t> (inputs), false) };
+}
+
+FilterBank filterBank (const FingerFilters& filters, const std::vector<Eigen::Index>& inputOfTrack, Eigen::Index inputs)
+{
+    const auto& first = filters.taps.front();
+    auto bank = silentBank (first.cols(), inputs, { filters.factor, filters.delay, first.rows() });
+
+    for (std::size_t j = 0; j < inputOfTrack.size(); ++j)
+    {
+        bank.values.middleCols (inputOfTrack[j] * bank.taps, bank.taps) =
+            filters.taps[j].colwise().reverse().transpose().cast<float>();
+        bank.moves[static_cast<std::size_t> (inputOfTrack[j])] = true;
+    }
+
+    return bank;
+}
+
+FilterBank filterBank (const FingerFilters& filters)
+{
+    std::vector<Eigen::Index> inputs (filters.taps.size());
+    std::iota (inputs.begin(), inputs.end(), Eigen::Index { 0 });
+    return filterBank (filters, inputs, static_cast<Eigen::Index> (inputs.size()));
+}
+
+namespace
+{
+/** The root of the mean square of a filter's response over a band. */
+double bandGain (FourierTables& tables, const Eigen::VectorXd& taps, double rate, TrackBand band)
+{
+    const auto length = quickLength (2 * static_cast<double> (taps.size()));
+    const auto perLine = rate / static_cast<double> (length);
+    const auto first = static_cast<Eigen::Index> (std::ceil (band.lower / perLine));
+    const auto count = static_cast<Eigen::Index> (std::floor (band.upper / perLine)) - first + 1;
+    const auto lines = tables.forward (taps, length);
+    return std::sqrt (lines.segment (first, count).squaredNorm() / static_cast<double> (count));
+}
+} // namespace
+
+Eigen::MatrixXd noiseGains (const FingerFilters& filters, TrackBand band)
+{
+    Eigen::MatrixXd gains (filters.taps.front().cols(), static_cast<Eigen::Index> (filters.taps.size()));
+    FourierTables tables;
+
+    for (Eigen::Index j = 0; j < gains.cols(); ++j)
+        for (Eigen::Index i = 0; i < gains.rows(); ++i)
+            gains (i, j) = bandGain (tables, filters.taps[static_cast<std::size_t> (j)].col (i), filters.rate(), band);
+
+    return gains;
+}
+
+Eigen::VectorXf rateChangeTaps (Eigen::Index factor)
+{
+    constexpr double shape = 7; // Kaiser's beta: -70 dB
+    const auto reach = rateChangeReach * factor;
+    Eigen::VectorXf taps (2 * reach + 1);
+
+    for (Eigen::Index n = 0; n < taps.size(); ++n)
+        taps[n] = static_cast<float> (
+            kaiserSinc (static_cast<double> (n - reach) / static_cast<double> (factor), rateChangeReach, shape));
+
+    return taps;
 }
 } // namespace antinode

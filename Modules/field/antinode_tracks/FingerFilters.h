@@ -2,10 +2,10 @@
 
 #include "TrackDesign.h"
 #include "Waveforms.h"
-#include <antinode_base/ShowProgress.h>
-#include <antinode_model/ModalModel.h>
 
 #include <Eigen/Core>
+#include <antinode_base/Progress.h>
+#include <antinode_model/ModalModel.h>
 
 #include <vector>
 
@@ -61,4 +61,36 @@ struct FingerFilters
     [worker] Docs/Theory.md, section 4.16. */
 FingerFilters designFingerFilters (const ModalModel&, const WaveformsDescription&, const FilterSettings&,
                                    const ShowProgress& progress = {});
+
+/** Filters as they are played: one matrix, whose product with the inputs' past is a sample of all voltages. */
+struct FilterBank
+{
+    Eigen::Index inputs = 0, taps = 0, factor = 1;
+    Eigen::MatrixXf values;  ///< N_b x (inputs taps), V/m: for each input its taps, that of the oldest sample first.
+    std::vector<bool> moves; ///< Per input: false where all of its taps are 0.
+};
+
+/** A bank with an input for each track. [worker] */
+FilterBank filterBank (const FingerFilters&);
+
+/** A bank that moves nothing. [worker] */
+FilterBank silentBank (Eigen::Index ceramics, Eigen::Index inputs, FilterTiming);
+
+/** A bank with more inputs than tracks; those without one move nothing.
+    @param inputOfTrack  each below `inputs`
+    [worker] */
+FilterBank filterBank (const FingerFilters&, const std::vector<Eigen::Index>& inputOfTrack, Eigen::Index inputs);
+
+/** What noise at an input that fills the band evenly gives at each ceramic, RMS for RMS: N_b x tracks, V/m. [worker] */
+Eigen::MatrixXd noiseGains (const FingerFilters&, TrackBand);
+
+/** Samples of the slower rate to each side that a change of rate reaches, which is also its delay. */
+inline constexpr Eigen::Index rateChangeReach = 5;
+
+/** A low-pass for changes of rate by a whole factor: Kaiser's windowed sinc, flat to a quarter of the slower rate,
+   below -70 dB from three quarters on.
+    @param factor  at least 1
+    @return  2 rateChangeReach factor + 1 taps at the faster rate, for interpolation; over the factor, for decimation
+    [worker] Docs/Theory.md, section 4.16. */
+Eigen::VectorXf rateChangeTaps (Eigen::Index factor);
 } // namespace antinode

@@ -1,11 +1,10 @@
 #include "LiveTracks.h"
 
 #include "FilterPlayer.h"
-#include "RateChange.h"
+#include "FingerFilters.h"
 
-#include "TrackMemory.h"
 #include "TrackWork.h"
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_base/Watch.h>
 
 #include <cmath>

@@ -1,15 +1,13 @@
 #include "TrackDesign.h"
 
-#include "AppliedShift.h"
-#include "TrackReach.h"
+#include "LeastPeak.h"
 #include "TrackSolver.h"
 #include "TrackWork.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_numerics/KaiserSinc.h>
-#include <antinode_numerics/SampleInterpolation.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 #include "Waveforms.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/ShowProgress.h>
-#include <antinode_fingers/SkinThreshold.h>
-#include <antinode_model/SampledVoltages.h>
+#include <antinode_base/Progress.h>
+#include <antinode_fingers/Sensation.h>
+#include <antinode_model/VoltageProgram.h>
 
 #include <Eigen/Core>
 

@@ -1,20 +1,22 @@
 #include "TrackWork.h"
 
-#include "PointDistances.h"
+#include "PointResponses.h"
 #include "TouchedNodes.h"
-#include "TrackMemory.h"
-#include "WantedMotion.h"
+#include "TrackSolver.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
+#include <antinode_fingers/Sensation.h>
 #include <antinode_numerics/Decompositions.h>
 #include <antinode_numerics/Fourier.h>
 #include <antinode_numerics/KaiserSinc.h>
-#include <antinode_numerics/Median.h>
-#include <antinode_numerics/SampleInterpolation.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -207,5 +209,185 @@ double timesLimits (const TrackWork& work, const Eigen::MatrixXd& played)
 double timesLimits (const ModalModel& model, double sampleRate, const Eigen::MatrixXd& played)
 {
     return std::max (highest (voltageLimits (model), played), steepest (slewLimits (model), sampleRate, played));
+}
+
+namespace
+{
+/** The largest velocity of a displacement, between samples too, m/s. */
+double largestVelocityOf (const Eigen::VectorXd& displacement, double sampleRate)
+{
+    const auto length = quickLength (2 * static_cast<double> (displacement.size()));
+    auto spectrum = forwardFourier (displacement, length);
+
+    for (Eigen::Index k = 0; k < spectrum.size(); ++k)
+        spectrum[k] *= std::complex (0.0, 2 * std::numbers::pi * static_cast<double> (k) * sampleRate
+                                              / static_cast<double> (length));
+
+    return peakBetweenSamples (inverseFourier (spectrum, length));
+}
+
+void requireInBand (const WaveformsDescription& description, std::size_t track)
+{
+    const auto check = [&] (const auto& signal)
+    {
+        if constexpr (requires { signal.frequency; })
+            if (! (signal.frequency >= description.band.lower && signal.frequency <= description.band.upper))
+                throw InputError ("waveforms: " + pointInWords (description, track) + " frequency",
+                                  "is " + inWords (signal.frequency) + " Hz; allowed: the band, "
+                                      + inWords (description.band.lower) + " to " + inWords (description.band.upper)
+                                      + " Hz");
+    };
+    std::visit (check, description.tracks[track].signal);
+}
+
+/** What to multiply a waveform by so that it has its level. */
+double scaleFor (const Eigen::VectorXd& waveform, double sampleRate, const TrackLevel& level,
+                 const SkinThreshold& threshold)
+{
+    switch (level.kind)
+    {
+        case LevelKind::velocity:
+            return level.value / largestVelocityOf (waveform, sampleRate);
+        case LevelKind::sensation:
+            return std::pow (10, level.value / 20)
+                   / feltAmount (feltDisplacement (waveform, sampleRate, threshold), sampleRate);
+        case LevelKind::displacement:
+            break;
+    }
+
+    return level.value / peakBetweenSamples (waveform);
+}
+} // namespace
+
+Eigen::MatrixXd wantedMotion (const WaveformsDescription& description, const SkinThreshold& threshold,
+                              double sampleRate)
+{
+    const auto points = description.tracks.size() + description.silent.size();
+    const auto samples = static_cast<Eigen::Index> (std::ceil (tracksDuration (description) * sampleRate)) + 1;
+    Eigen::MatrixXd motion = Eigen::MatrixXd::Zero (samples, static_cast<Eigen::Index> (points));
+
+    for (std::size_t p = 0; p < description.tracks.size(); ++p)
+    {
+        requireInBand (description, p);
+        const auto& track = description.tracks[p];
+        const auto first = std::llround (track.start * sampleRate);
+        const auto waveform = signalSamples (track.signal, description.band, sampleRate);
+
+        if (! (waveform.cwiseAbs().maxCoeff() > 0))
+            throw InputError ("waveforms: " + pointInWords (description, p), "is silent within the band");
+
+        const auto count = std::min<Eigen::Index> (waveform.size(), samples - first);
+        motion.col (static_cast<Eigen::Index> (p)).segment (first, count) =
+            scaleFor (waveform, sampleRate, track.level, threshold) * waveform.head (count);
+    }
+
+    return motion;
+}
+
+namespace
+{
+constexpr double mostBytes = 1 << 30; // of memory
+constexpr double byNumber = sizeof (double);
+
+double tableBytes (const ModalModel& model, const WaveformsDescription& description)
+{
+    double places = 0;
+
+    for (const auto& point : touchedPoints (description))
+        places += static_cast<double> (PathShapes::placesAlong (point));
+
+    return byNumber * places * static_cast<double> (model.coordinates());
+}
+} // namespace
+
+TrackBytes trackBytes (const ModalModel& model, const WaveformsDescription& description, const TrackSpan& span,
+                       const TouchedNodes& touched)
+{
+    constexpr double signalsKept = 8, copiesPlayed = 3, copiesOfNodes = 3;
+    const auto points = static_cast<double> (description.tracks.size() + description.silent.size());
+    const auto nodes = static_cast<double> (touched.shapes().rows());
+    const auto stages = static_cast<double> (touched.stages());
+    const auto actuators = static_cast<double> (model.actuators());
+    const auto moving = nodes > points ? copiesOfNodes * nodes : 0;
+    const auto inLines = nodes * actuators + stages * points * points + actuators + signalsKept * points + moving;
+    const auto inWindow = actuators * (signalsKept + copiesPlayed * static_cast<double> (span.factor));
+    return { byNumber * (static_cast<double> (span.length) * inLines + static_cast<double> (span.window) * inWindow),
+             tableBytes (model, description) };
+}
+
+bool isWithinMemory (TrackBytes bytes)
+{
+    return bytes.sum() <= mostBytes;
+}
+
+void requireTrackMemory (TrackBytes bytes, double seconds)
+{
+    if (! isWithinMemory (bytes))
+        throw InputError ("waveforms", "last " + inWords (seconds) + " s, which needs "
+                                           + inWords (bytes.sum() / mostBytes) + " GiB; allowed: 1 GiB, about "
+                                           + inWords (std::floor (seconds * (mostBytes - bytes.tables) / bytes.samples))
+                                           + " s with this device and rate");
+}
+
+void requirePathMemory (const ModalModel& model, const WaveformsDescription& description)
+{
+    const auto bytes = tableBytes (model, description);
+
+    if (bytes > mostBytes)
+        throw InputError ("waveforms",
+                          "have paths that need " + inWords (bytes / mostBytes) + " GiB; allowed: 1 GiB, about "
+                              + inWords (std::floor (100 * mostBytes / bytes)) + " % of their length with this device");
+}
+
+namespace
+{
+constexpr auto softness = 1e4; // of the voltages that make up for an error: what they cannot bring is left
+
+/** 1 in the band, 0 below half of it and above twice of it; in between as a raised cosine of the octave. */
+double shareInBand (double frequency, TrackBand band)
+{
+    if (frequency <= band.lower / 2 || frequency >= 2 * band.upper)
+        return 0;
+
+    const auto octaves = std::max (std::log2 (band.lower / frequency), std::log2 (frequency / band.upper));
+    return octaves > 0 ? 0.5 + 0.5 * std::cos (std::numbers::pi * octaves) : 1;
+}
+
+/** Recorded signals at the samples of a design, without what lies beyond a band, where there is one. */
+Eigen::MatrixXd atDesignRate (const TrackWork& work, const TrackShift& shift, const Eigen::MatrixXd& signals,
+                              std::optional<TrackBand> band)
+{
+    const auto& span = work.span;
+    const Eigen::Index first = std::llround (shift.firstTime * work.sampleRate) + span.lead * span.factor;
+    const auto begin = std::max<Eigen::Index> (0, -first);
+    const auto count = std::min (signals.rows(), span.length * span.factor - first) - begin;
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero (span.length, signals.cols());
+
+    for (Eigen::Index p = 0; p < signals.cols() && count > 0; ++p)
+    {
+        Eigen::VectorXd whole = Eigen::VectorXd::Zero (span.length * span.factor);
+        whole.segment (first + begin, count) = signals.col (p).segment (begin, count);
+        Eigen::VectorXcd lines = forwardFourier (whole).head (span.length / 2 + 1);
+
+        for (Eigen::Index k = 0; band && k < lines.size(); ++k)
+            lines[k] *= shareInBand (static_cast<double> (k) * span.rate / static_cast<double> (span.length), *band);
+
+        result.col (p) = inverseFourier (lines, span.length) / static_cast<double> (span.factor);
+    }
+
+    return result;
+}
+} // namespace
+
+void applyShift (TrackWork& work, const TrackShift& shift, TrackBand band)
+{
+    if (shift.missing.cols() == 0)
+        return;
+
+    const auto compliance = work.responses.compliance();
+    work.responses.setCompliance (softness * compliance);
+    const auto change = solveTracks (work.responses, atDesignRate (work, shift, shift.missing, band)).voltages;
+    work.responses.setCompliance (compliance);
+    work.wanted = atDesignRate (work, shift, shift.predicted, {}) + work.responses.motion (change);
 }
 } // namespace antinode

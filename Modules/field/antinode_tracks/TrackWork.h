@@ -1,9 +1,12 @@
 #pragma once
 
+#include "TouchedNodes.h"
 #include "TrackDesign.h"
+#include "Waveforms.h"
 #include "WindowedResponses.h"
 
 #include <Eigen/Core>
+#include <antinode_fingers/Sensation.h>
 
 #include <optional>
 
@@ -56,4 +59,39 @@ double timesLimits (const TrackWork& work, const Eigen::MatrixXd& played);
 
 /** The same by a device's limits. @param sampleRate  Hz, of what is played [worker] */
 double timesLimits (const ModalModel&, double sampleRate, const Eigen::MatrixXd& played);
+
+/** What the touched points are to do from the trigger to the end of the last track, at its levels; silence is 0.
+    @return  N_s x points, m: the last sample not before the end
+    @throws InputError  for a track without motion in the band
+    [worker] Docs/Theory.md, section 4.13. */
+Eigen::MatrixXd wantedMotion (const WaveformsDescription&, const SkinThreshold&, double sampleRate);
+
+/** What a design of tracks holds at once, bytes. */
+struct TrackBytes
+{
+    double samples = 0; ///< Of all that is the longer the longer tracks last.
+    double tables = 0;  ///< Of the shapes along paths.
+
+    double sum() const { return samples + tables; } // [any]
+};
+
+/** What a design with such samples holds. [any] */
+TrackBytes trackBytes (const ModalModel&, const WaveformsDescription&, const TrackSpan&, const TouchedNodes&);
+
+/** Whether that is as much as designs may hold, 1 GiB, or less. [any] */
+bool isWithinMemory (TrackBytes);
+
+/** Checks the same. @param seconds  that the tracks last
+    @throws InputError  how much it is, and how long tracks may last
+    [any] */
+void requireTrackMemory (TrackBytes, double seconds);
+
+/** Checks, before they are computed, that the shapes along all paths are within it too.
+    @throws InputError  how much they take, and which share of the paths' length is allowed
+    [any] */
+void requirePathMemory (const ModalModel&, const WaveformsDescription&);
+
+/** Puts what a shift asks for in place of what is wanted. @throws Cancelled  when a watch of this thread says no
+    [worker] Docs/Theory.md, section 4.15. */
+void applyShift (TrackWork&, const TrackShift&, TrackBand);
 } // namespace antinode

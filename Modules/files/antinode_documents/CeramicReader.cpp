@@ -1,12 +1,11 @@
 #include "CeramicReader.h"
 
 #include "FileUnits.h"
-#include "MaterialReader.h"
 #include "OutlineReader.h"
 #include "SubstrateReader.h"
 
-#include <antinode_structure/CeramicShapes.h>
-#include <antinode_text/PhysicalRanges.h>
+#include <antinode_structure/DescribedCeramic.h>
+#include <antinode_text/JsonReader.h>
 
 #include <algorithm>
 #include <numbers>

@@ -3,8 +3,10 @@
 #include <antinode_structure/DeviceDescription.h>
 
 #include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
+#include <vector>
 
 namespace antinode
 {
@@ -21,4 +23,8 @@ DeviceDescription readDevice (const nlohmann::json&, const std::string& source);
     [worker] */
 nlohmann::ordered_json modalDeviceToJson (const ModalModel&, const std::string& description,
                                           const nlohmann::ordered_json& limits = {});
+
+/** What stands in a device that hardly any has, as a number in another unit than its key says: a
+   sentence for each, with the unit that is likely. [any] */
+std::vector<std::string> unlikelyValues (const nlohmann::json& document);
 } // namespace antinode

@@ -1,8 +1,8 @@
 #include "ExcitationFile.h"
 
-#include <antinode_text/EigenJson.h>
 #include <antinode_text/JsonReader.h>
-#include <antinode_text/PhysicalRanges.h>
+#include <antinode_text/JsonText.h>
+#include <antinode_text/WaveFile.h>
 
 namespace antinode
 {
@@ -114,5 +114,25 @@ ExcitationSheet readExcitation (const nlohmann::json& document, const std::strin
     readCeramics (object, sheet, settings);
     sheet.excitation = excitationWith (settings, sheet.voltageLimits, signal);
     return sheet;
+}
+
+namespace
+{
+constexpr const char* signalFile = "signal.wav";
+} // namespace
+
+void writeSheet (OutputFolder& folder, const ExcitationSheet& sheet)
+{
+    folder.write (signalFile,
+                  encodeWave (sheet.excitation.signal.transpose(), 1, sheet.excitation.settings.sampleRate));
+    folder.write ("excitation.json", excitationToJson (sheet, signalFile).dump (2) + "\n");
+}
+
+ExcitationSheet readSheet (const std::filesystem::path& path)
+{
+    const auto source = path.string();
+    const auto document = readJsonFile (path);
+    const auto signal = readWaveFile (path.parent_path() / readSignalFileName (document, source));
+    return readExcitation (document, source, signal.samples.row (0));
 }
 } // namespace antinode

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <antinode_measurement/Excitation.h>
+#include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -32,4 +34,11 @@ std::string readSignalFileName (const nlohmann::json&, const std::string& source
     @throws InputError  source, JSON pointer, what is wrong, what is allowed, "did you mean"; or where the signal does
    not fit [worker] */
 ExcitationSheet readExcitation (const nlohmann::json&, const std::string& source, const Eigen::VectorXd& signal);
+
+/** Writes the sheet and the signal of a run into a folder, as excitation.json and signal.wav. @throws InputError
+    [worker] */
+void writeSheet (OutputFolder&, const ExcitationSheet&);
+
+/** A sheet with the signal beside it. @throws InputError  for anything that cannot be read. [worker] */
+ExcitationSheet readSheet (const std::filesystem::path&);
 } // namespace antinode

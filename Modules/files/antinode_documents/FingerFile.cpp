@@ -1,7 +1,7 @@
 #include "FingerFile.h"
 
 #include "FileUnits.h"
-#include "FocusWords.h"
+#include "FocusFile.h"
 
 #include <antinode_text/JsonReader.h>
 

@@ -4,7 +4,7 @@
 
 #include "DeviceFile.h"
 #include "FocusFile.h"
-#include "NamedDevice.h"
+#include "SharedFields.h"
 #include "WaveformsFile.h"
 #include <antinode_base/InputError.h>
 #include <antinode_text/JsonText.h>

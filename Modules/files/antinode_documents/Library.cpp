@@ -1,21 +1,23 @@
 #include "Library.h"
 
-#include "DrawnOutline.h"
 #include "ModeCache.h"
+#include "OutlineReader.h"
 
-#include "OutlineFile.h"
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
-#include <antinode_base/UserFolders.h>
+#include <antinode_base/MessageText.h>
+#include <antinode_base/System.h>
 #include <antinode_model/RigidMotion.h>
 #include <antinode_resources.h>
-#include <antinode_structure/ModeLimits.h>
+#include <antinode_structure/DeviceDescription.h>
+#include <antinode_structure/StaticShare.h>
 #include <antinode_text/JsonText.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 #include <utility>
+#include <variant>
 
 namespace antinode
 {
@@ -283,5 +285,25 @@ Setup setUp (const DeviceDescription& device, Playback playback, bool usesCache)
 WideModel widened (const DeviceDescription& device, const ModalModel& known, double sampleRate, bool usesCache)
 {
     return solveWide (device, known, frequencyBeyond (known, sampleRate), usesCache);
+}
+
+namespace
+{
+/** Half as many modes again as the design knows, where the device is solved; a measured one has no more. */
+std::optional<int> judgedModes (const DeviceDescription& description, const ModalModel& known)
+{
+    if (! isComputed (description))
+        return {};
+
+    const auto modes = known.modes() - (hasStaticShare (description) ? known.actuators() : 0);
+    return std::min (maximumModes (description), static_cast<int> (3 * modes / 2));
+}
+} // namespace
+
+TrackModels trackModels (const DeviceDescription& device, bool usesCache)
+{
+    auto known = solveDeviceWithStaticShare (device, {}, usesCache);
+    auto judge = solveDeviceWithStaticShare (device, judgedModes (device, known), usesCache);
+    return { std::move (known), std::move (judge) };
 }
 } // namespace antinode

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <antinode_focus/WideDesign.h>
+#include <antinode_focus/SpillOver.h>
 #include <antinode_model/ModalModel.h>
-#include <antinode_model/Playback.h>
+#include <antinode_model/VoltageProgram.h>
 #include <antinode_structure/DeviceDescription.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -91,4 +91,13 @@ Setup setUp (const DeviceDescription&, Playback, bool usesCache);
 
 /** The same modes of a device whose own are known. @throws InputError  as setUp [worker] */
 WideModel widened (const DeviceDescription&, const ModalModel& known, double sampleRate, bool usesCache);
+
+/** A device as tracks are designed for it and as it judges them: with half as many modes again, where it is solved. */
+struct TrackModels
+{
+    ModalModel known, judge;
+};
+
+/** @param usesCache  of solved devices @throws InputError  where the device cannot be solved [worker] */
+TrackModels trackModels (const DeviceDescription&, bool usesCache);
 } // namespace antinode

@@ -3,10 +3,10 @@
 #include "FileUnits.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_outline/Drawing.h>
 #include <antinode_outline/OutlineChecks.h>
-#include <antinode_outline/OutlineShapes.h>
 #include <antinode_outline/PathBuilder.h>
-#include <antinode_text/PhysicalRanges.h>
+#include <antinode_text/JsonReader.h>
 
 #include <algorithm>
 #include <array>
@@ -308,5 +308,54 @@ nlohmann::json outlineToJson (const Outline& outline)
         json["holes"].push_back (pathToJson (outline.paths[i]));
 
     return json;
+}
+
+namespace
+{
+void embed (nlohmann::json& owner, const std::filesystem::path& folder, const OutlineFileReader& read)
+{
+    if (! owner.is_object() || ! owner.contains ("outline"))
+        return;
+
+    auto& outline = owner["outline"];
+
+    if (outline.is_object() && outline.contains ("file") && outline["file"].is_string())
+        outline = outlineToJson (read (folder / outline["file"].get<std::string>(), outline));
+}
+} // namespace
+
+void embedOutlineFiles (nlohmann::json& device, const std::filesystem::path& folder, const OutlineFileReader& read)
+{
+    embed (device, folder, read);
+
+    if (device.is_object() && device.contains ("areas") && device["areas"].is_array())
+        for (auto& area : device["areas"])
+            embed (area, folder, read);
+}
+
+namespace
+{
+constexpr WordList<double, 8> drawingUnits { { { "mm", 1e-3 },
+                                               { "cm", 1e-2 },
+                                               { "m", 1 },
+                                               { "in", 0.0254 },
+                                               { "ft", 0.3048 },
+                                               { "mil", 25.4e-6 },
+                                               { "pt", 0.0254 / 72 },
+                                               { "px", 0.0254 / 96 } } };
+} // namespace
+
+Outline readDrawnOutline (const std::filesystem::path& drawing, const nlohmann::json& keys)
+{
+    const auto object = JsonValue (keys, "outline").object ({ "file", "layer", "unit" });
+    DrawingChoice choice;
+
+    if (const auto layer = object.optional ("layer"))
+        choice.layer = layer->text (ranges::maximumNameBytes);
+
+    if (const auto unit = object.optional ("unit"))
+        choice.unit = unit->choice (drawingUnits);
+
+    return readOutlineFile (drawing, choice);
 }
 } // namespace antinode

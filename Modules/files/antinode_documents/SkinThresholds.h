@@ -1,8 +1,9 @@
 #pragma once
 
-#include <antinode_fingers/SkinThreshold.h>
+#include <antinode_fingers/Sensation.h>
 
 #include <string>
+#include <string_view>
 
 namespace antinode
 {
@@ -11,4 +12,10 @@ namespace antinode
     @throws InputError  when the file cannot be read or is not such a table
     [worker] Docs/FileFormats.md. */
 SkinThreshold findSkinThreshold (const std::string& file);
+
+/** A threshold from a CSV table of two columns, Hz and um.
+    @param source  how errors name the file
+    @throws InputError  source, what is wrong, what is allowed
+    [worker] Docs/FileFormats.md. */
+SkinThreshold readSkinThreshold (std::string_view text, const std::string& source);
 } // namespace antinode

@@ -22,4 +22,14 @@ CarrierDisc readCarrier (const JsonValue& carrier, double ceramicDiameter);
 
 /** Its diameter, m. @throws InputError  where it is not larger than the ceramic [worker] */
 double readCarrierDiameter (const JsonValue& carrier, double ceramicDiameter);
+
+/** A substrate's material: the name of a built-in one, or its constants. @throws InputError [worker] */
+ElasticMaterial readElasticMaterial (const JsonValue&);
+
+/** A ceramic's material: the name of a built-in one, or its constants. @throws InputError [worker] */
+PiezoelectricMaterial readPiezoelectricMaterial (const JsonValue&);
+
+/** A layer's material, elastic or viscoelastic: the name of a built-in one, or its constants. @throws InputError
+    [worker] */
+std::variant<ElasticMaterial, ViscoelasticMaterial> readLayerMaterial (const JsonValue&);
 } // namespace antinode

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <antinode_base/WordList.h>
-#include <antinode_focus/DesignTolerance.h>
+#include <antinode_base/Reflection.h>
+#include <antinode_focus/Tolerance.h>
 
 #include <nlohmann/json_fwd.hpp>
 

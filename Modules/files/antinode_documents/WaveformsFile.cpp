@@ -2,12 +2,11 @@
 
 #include "FileUnits.h"
 #include "FingerFile.h"
-#include "NamedDevice.h"
+#include "SharedFields.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_text/JsonReader.h>
-#include <antinode_text/PhysicalRanges.h>
-#include <antinode_text/WaveReader.h>
+#include <antinode_text/WaveFile.h>
 
 #include <array>
 #include <cmath>

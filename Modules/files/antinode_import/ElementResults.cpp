@@ -1,7 +1,6 @@
 #include "ElementResults.h"
 
-#include "CalculixReader.h"
-#include "UniversalResultsReader.h"
+#include "ElementReaders.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_responses/UniversalFile.h>

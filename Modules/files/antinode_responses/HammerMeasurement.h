@@ -1,8 +1,8 @@
 #pragma once
 
 #include "RecordedSignals.h"
+#include "UniversalFile.h"
 
-#include "UniversalSets.h"
 #include <antinode_measurement/HammerResponses.h>
 
 #include <tuple>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,4 +52,9 @@ MatlabElement takeElement (std::string_view& bytes, const MatlabForm&);
 
 /** The numbers of an element. @throws InputError  when it has none [worker] */
 std::vector<double> readNumbers (const MatlabElement&, const MatlabForm&);
+
+/** Decompresses zlib data. Empty if it is damaged, or longer than this.
+    @param maximum  bytes
+    [worker] RFC 1950. */
+std::optional<std::string> inflatedBytes (std::string_view packed, std::size_t maximum);
 } // namespace antinode

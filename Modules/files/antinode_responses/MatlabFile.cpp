@@ -1,9 +1,8 @@
 #include "MatlabFile.h"
 
-#include "InflatedBytes.h"
 #include "MatlabElement.h"
 
-#include "UniversalRecordText.h"
+#include "UniversalRecords.h"
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
 

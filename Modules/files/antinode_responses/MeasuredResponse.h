@@ -66,4 +66,16 @@ struct Measurement
     @throws InputError  when frequencies, units or drives of two files do not fit together, or none has a response
     [worker] Docs/Theory.md, section 8.1. */
 Measurement mergedResponses (const std::vector<MeasurementFile>&, const MeasurementOptions&);
+
+/** Gives the points of a measurement their places by their names, those of the options before those of files; 1 mm
+   apart on a line, with a remark, where not each has a place of its own. A line in another direction comes to lie along
+   x.
+    @throws InputError  when the options have places, but not for all points
+    [worker] Docs/FileFormats.md. */
+void placePoints (const std::vector<MeasurementFile>&, const MeasurementOptions&, Measurement&);
+
+/** All responses of several files with names of point and reference. Points without names are numbered within their
+   file where it has several for a reference; what is then not named is numbered by the files where these differ in
+   nothing else, else it is 1. [worker] Docs/FileFormats.md. */
+std::vector<MeasuredResponse> namedResponses (const std::vector<MeasurementFile>&);
 } // namespace antinode

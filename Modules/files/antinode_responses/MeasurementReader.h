@@ -1,8 +1,11 @@
 #pragma once
 
+#include "CsvHeading.h"
 #include "CsvResponses.h"
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 namespace antinode
 {
@@ -18,4 +21,19 @@ MeasurementFile decodeMeasurement (std::string_view bytes, const std::string& so
 
 /** The same of a file of at most 4 GiB. @throws InputError  also when it cannot be read [worker] */
 MeasurementFile readMeasurement (const std::filesystem::path&, CsvForm, const std::vector<std::string>& variables = {});
+
+/** The kind of a file of measured data. */
+enum class MeasurementForm
+{
+    wave,
+    matlab,
+    universal,
+    text
+};
+
+/** What its bytes say, not its name. [any] */
+MeasurementForm measurementForm (std::string_view bytes);
+
+/** Point and reference from a file's name, where it has words for them: "point3_driver2.csv", "P3-C1.wav". [any] */
+CsvHeading rolesInFileName (const std::string& source);
 } // namespace antinode

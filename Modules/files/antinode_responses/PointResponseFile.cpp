@@ -1,6 +1,5 @@
 #include "PointResponseFile.h"
 
-#include "CoherenceSet.h"
 #include "UniversalResponses.h"
 
 #include "UniversalFile.h"

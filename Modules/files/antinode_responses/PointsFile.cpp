@@ -3,8 +3,8 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
 #include <antinode_base/WholeFile.h>
-#include <antinode_text/CsvLines.h>
-#include <antinode_text/PhysicalRanges.h>
+#include <antinode_text/CsvText.h>
+#include <antinode_text/JsonReader.h>
 
 #include <optional>
 #include <vector>

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "MatlabFile.h"
 #include "MeasuredResponse.h"
+#include "UniversalFile.h"
 
 #include <filesystem>
 #include <string>
@@ -57,4 +59,10 @@ RecordingFile decodeRecordings (std::string_view bytes, const std::string& sourc
 
 /** The same of a file of at most 4 GiB. @throws InputError  also when it cannot be read [worker] */
 RecordingFile readRecordings (const std::filesystem::path&, const std::vector<std::string>& channels);
+
+/** As decodeRecordings. @throws InputError  where force, motion or time are missing or do not fit together [worker] */
+RecordingFile recordingsFromMatlab (const std::vector<MatlabVariable>&, const std::string& source);
+
+/** The same. [worker] */
+RecordingFile recordingsFromUniversal (const std::vector<UniversalSet>&, const std::string& source);
 } // namespace antinode

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "UniversalSections.h"
-#include "UniversalSets.h"
+#include "UniversalFile.h"
 
 namespace antinode
 {

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "MeasuredResponse.h"
-
-#include "UniversalSets.h"
+#include "UniversalFile.h"
 
 namespace antinode
 {
@@ -39,4 +38,7 @@ std::string windowDecayLine (double decay);
     @throws InputError  when no line is finite
     [worker] */
 std::vector<UniversalSet> responseSets (const FrequencyResponses&);
+
+/** The coherence that belongs to a response. @param values  as many as the response has [any] */
+UniversalFunction coherenceSet (UniversalFunction response, const Eigen::VectorXd& values);
 } // namespace antinode

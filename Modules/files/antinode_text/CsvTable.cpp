@@ -1,6 +1,6 @@
 #include "CsvTable.h"
 
-#include "CsvLines.h"
+#include "CsvText.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
@@ -180,7 +180,7 @@ private:
 
         for (std::size_t c = 0; c < result.headings.size(); ++c)
             if (auto& heading = result.headings[c]; ! units[c].empty())
-                heading = c == 0 ? units[c] + " " + heading : heading + " (" + units[c] + ")";
+                c == 0 ? heading.insert (0, units[c] + " ") : heading.append (" (").append (units[c]).append (")");
     }
 
     void addHeadings (const Cells& cells, std::vector<std::string>& headings) const
@@ -188,7 +188,7 @@ private:
         headings.resize (columns);
 
         for (std::size_t c = 0; c < columns; ++c)
-            headings[c] += (headings[c].empty() ? "" : " ") + trimmedText (cells[c]);
+            headings[c].append (headings[c].empty() ? "" : " ").append (trimmedText (cells[c]));
     }
 
     std::string where (const CsvLine& line) const { return source + ": line " + std::to_string (line.number); }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -30,4 +32,28 @@ std::string readableJson (const nlohmann::ordered_json&);
     @throws InputError  when it has no '=', or a part does not fit the document
     [worker] */
 void applyAssignment (nlohmann::json& root, std::string_view assignment);
+
+/** A vector, or an expression of one, as a list of numbers. [any] */
+template <typename Derived>
+nlohmann::ordered_json toJsonList (const Eigen::MatrixBase<Derived>& values)
+{
+    auto list = nlohmann::ordered_json::array();
+
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+        list.push_back (values.derived().coeff (i));
+
+    return list;
+}
+
+/** A matrix as a list of its rows. [any] */
+template <typename Derived>
+nlohmann::ordered_json toJsonRows (const Eigen::MatrixBase<Derived>& values)
+{
+    auto rows = nlohmann::ordered_json::array();
+
+    for (Eigen::Index i = 0; i < values.rows(); ++i)
+        rows.push_back (toJsonList (values.row (i)));
+
+    return rows;
+}
 } // namespace antinode

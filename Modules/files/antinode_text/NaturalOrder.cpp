@@ -58,6 +58,7 @@ NumberedName numberedName (const std::string& name)
 std::vector<std::string> inNaturalOrder (std::vector<std::string> names)
 {
     std::vector<std::pair<NumberedName, std::string>> numbered;
+    numbered.reserve (names.size());
 
     for (const auto& name : names)
         numbered.emplace_back (numberedName (name), name);

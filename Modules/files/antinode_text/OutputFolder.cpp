@@ -2,7 +2,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
-#include <antinode_base/Processes.h>
+#include <antinode_base/System.h>
 #include <antinode_base/Watch.h>
 
 #include <algorithm>

@@ -1,11 +1,40 @@
 #pragma once
 
-#include "AllocationProgress.h"
-
 #include <Eigen/Core>
+#include <antinode_base/Watch.h>
+
+#include <functional>
 
 namespace antinode
 {
+/** The stage of the solver. */
+enum class AllocationStage
+{
+    activeSet,   ///< The least norm by the voltages' peaks.
+    minimumPeak, ///< The least peak by interior points.
+    leastNorm    ///< The least norm by interior points.
+};
+
+/** The progress of a solver. */
+struct AllocationProgress
+{
+    AllocationStage stage = AllocationStage::activeSet;
+    int steps = 0;  ///< Of this stage, rounds of the active set or steps of the interior point.
+    double gap = 1; ///< Certified so far, relative; 1 where nothing is yet.
+};
+
+/** Called before every step, on the thread that solves. */
+using ShowAllocationProgress = std::function<void (const AllocationProgress&)>;
+
+/** Shows the progress, where it is to be shown, and looks at the watch. @throws Cancelled  as checkWatch() [worker] */
+inline void report (const ShowAllocationProgress& show, const AllocationProgress& progress)
+{
+    if (show)
+        show (progress);
+
+    checkWatch();
+}
+
 /** The allocation problem: the share of each drive on each ceramic. Docs/Theory.md, section 4; paper (29), (30).
 
     Unknown: M, N_b x N_d (ceramics x drives), V. With the drives sampled as Psi (N_d x N_s):
@@ -105,4 +134,8 @@ Allocation solveAllocation (const AllocationProblem&, AllocationGoal, const Show
     @throws InputError  as solveAllocation
     [worker] Docs/Theory.md, section 4.2. */
 Eigen::MatrixXd minimumNormAllocation (const AllocationProblem&);
+
+/** Checks that sizes agree, numbers are finite, limits are more than 0 and the guards' weight is not negative.
+    @throws InputError  naming the first thing that is wrong. [any] */
+void validate (const AllocationProblem&);
 } // namespace antinode

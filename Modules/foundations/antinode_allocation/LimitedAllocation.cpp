@@ -1,8 +1,6 @@
 #include "LimitedAllocation.h"
 
-#include "AllocationCertificate.h"
 #include "AllocationInteriorPoint.h"
-#include "LocalPeaks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +8,36 @@
 
 namespace antinode
 {
+namespace
+{
+/** What rounding may have added to a bound. */
+constexpr auto roundingAllowance = 1e-12;
+
+double price (const WhitenedAllocation& problem, const Eigen::MatrixXd& sampleMultipliers)
+{
+    return sampleMultipliers.cwiseAbs().colwise().sum().dot (problem.limits);
+}
+} // namespace
+
+double leastNormBound (const WhitenedAllocation& problem, const RowSystem& rows,
+                       const Eigen::MatrixXd& sampleMultipliers, double ratio)
+{
+    const auto pull = problem.pull (sampleMultipliers);
+    const auto y = rows.multipliers (problem.wanted + problem.rowValues (pull));
+    const auto shares = (problem.weightedRows (y) - pull).squaredNorm();
+    const auto guards = y.cwiseAbs2().dot (problem.compliance);
+    return (1 - roundingAllowance)
+           * (problem.wanted.dot (y) - 0.5 * (shares + guards) - ratio * price (problem, sampleMultipliers));
+}
+
+double minimumPeakBound (const WhitenedAllocation& problem, const Eigen::VectorXd& rowMultipliers,
+                         Eigen::MatrixXd sampleMultipliers)
+{
+    sampleMultipliers += problem.balancing (problem.weightedRows (rowMultipliers) - problem.pull (sampleMultipliers));
+    const auto all = price (problem, sampleMultipliers);
+    return all > 0 ? (1 - roundingAllowance) * problem.wanted.dot (rowMultipliers) / all : 0;
+}
+
 namespace
 {
 /** Iterations after which a gap that is small enough is taken for the smallest that can be had. */
@@ -207,5 +235,27 @@ void LimitedAllocation::improve (const Eigen::MatrixXd& newShares, double newVal
         value = newValue;
         shares = newShares;
     }
+}
+
+std::vector<std::vector<Eigen::Index>> localPeaks (const Eigen::MatrixXd& voltages, const Eigen::VectorXd& thresholds)
+{
+    std::vector<std::vector<Eigen::Index>> lists (static_cast<std::size_t> (voltages.cols()));
+    const auto last = voltages.rows() - 1;
+
+    for (Eigen::Index i = 0; i < voltages.cols(); ++i)
+    {
+        const auto* voltage = voltages.col (i).data();
+
+        for (Eigen::Index n = 0; n <= last; ++n)
+        {
+            const auto value = std::abs (voltage[n]);
+
+            if (value > thresholds[i] && value >= std::abs (voltage[std::max<Eigen::Index> (n - 1, 0)])
+                && value >= std::abs (voltage[std::min (n + 1, last)]))
+                lists[static_cast<std::size_t> (i)].push_back (n);
+        }
+    }
+
+    return lists;
 }
 } // namespace antinode

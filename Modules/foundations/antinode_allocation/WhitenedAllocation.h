@@ -8,6 +8,29 @@
 
 namespace antinode
 {
+using RowIndices = std::vector<Eigen::Index>;
+
+/** Rows of an allocation problem as sums of one or two products of a participation and responses to drives. */
+struct RowProducts
+{
+    Eigen::MatrixXd participation;       ///< Rows x N_b
+    Eigen::MatrixXd rows;                ///< Rows x N_d
+    Eigen::MatrixXd secondParticipation; ///< As the first, or empty.
+    Eigen::MatrixXd secondRows;
+
+    bool hasSecond() const { return secondRows.rows() > 0; }
+};
+
+/** The hard rows of a problem, and its guards. [worker] */
+RowProducts hardProducts (const AllocationProblem&);
+RowProducts guardProducts (const AllocationProblem&);
+
+/** Some of them. [worker] */
+RowProducts chosenRows (const RowProducts&, const RowIndices&);
+
+/** Which of them some ceramic moves, ascending. [worker] */
+RowIndices movedRows (const RowProducts&);
+
 /** The allocation problem in coordinates in which the norm is Euclidean. Docs/Theory.md, section 4.
 
     With the drives scaled to unit length, diag (1/|psi|) Psi = R' Q' (thin QR), the share of ceramic i is x_i = R diag
@@ -85,4 +108,36 @@ struct WhitenedAllocation
     /** M, N_b x N_d, V. [any] */
     Eigen::MatrixXd matrix (const Eigen::MatrixXd& shares) const;
 };
+
+/** The Gram matrix of the rows, with compliance on its diagonal, factored. N_r x N_r. */
+class RowSystem
+{
+public:
+    /** [worker] N_r^2 (N_d + N_b) + N_r^3 / 6 */
+    explicit RowSystem (const WhitenedAllocation&);
+
+    /** Multipliers y with rowValues (weightedRows (y)) + compliance y = values. [any] */
+    Eigen::VectorXd multipliers (const Eigen::VectorXd& values) const;
+
+    /** L^-1 right, where L L' is the Gram matrix; N_r x any. [worker] */
+    Eigen::MatrixXd halfSolve (Eigen::MatrixXd right) const;
+
+    /** The shares of least objective without limits. [worker] */
+    Eigen::MatrixXd leastNormShares() const;
+
+    /** Shares with their hard row values brought back to the wanted ones, to rounding, by the smallest change. [worker]
+     */
+    Eigen::MatrixXd withExactRows (Eigen::MatrixXd shares) const;
+
+private:
+    const WhitenedAllocation& problem;
+    Eigen::MatrixXd factor;
+};
+
+/** Whitens a valid problem that wants something. Where drives are combinations of others (to 1e-5 of their length) each
+   gets a sample of 1e-4 of its length that no other drive has, at the end of the basis. Rows that nothing moves and
+   that want 0 are left out.
+    @throws InputError  when a hard row cannot be met, naming it
+    [worker] 4 N_s N_d^2 */
+WhitenedAllocation whiten (const AllocationProblem&);
 } // namespace antinode

@@ -3,7 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
 #include <numeric>
+#include <string>
+#include <utility>
 
 namespace antinode
 {
@@ -187,5 +192,88 @@ std::string trimmedText (std::string_view text)
         }
 
     return converted;
+}
+
+std::string formatted (const char* format, ...)
+{
+    std::va_list arguments, again;
+    va_start (arguments, format);
+    va_copy (again, arguments);
+    std::string text (static_cast<std::size_t> (std::vsnprintf (nullptr, 0, format, arguments)), ' ');
+    va_end (arguments);
+    std::vsnprintf (text.data(), text.size() + 1, format, again);
+    va_end (again);
+    return text;
+}
+
+std::string fixedText (double value, int decimals)
+{
+    auto text = formatted ("%.*f", decimals, value);
+
+    // Zero has no sign.
+    if (text.front() == '-' && text.find_first_of ("123456789") == std::string::npos)
+        text.erase (0, 1);
+
+    return text;
+}
+
+std::string inWords (double value)
+{
+    std::array<char, 32> text {};
+    std::snprintf (text.data(), text.size(), std::abs (value) >= 1000 && std::abs (value) < 1e7 ? "%.0f" : "%.4g",
+                   value);
+    return text.data();
+}
+
+namespace
+{
+/** Without spaces around it, in small letters, with u for the micro sign and the Greek letter, and a plain minus. */
+std::string plainText (std::string_view text)
+{
+    constexpr std::array<std::pair<std::string_view, const char*>, 3> letters {
+        { { "\xC2\xB5", "u" }, { "\xCE\xBC", "u" }, { "\xE2\x88\x92", "-" } }
+    };
+    const auto isSpace = [] (char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
+
+    while (! text.empty() && isSpace (text.front()))
+        text.remove_prefix (1);
+
+    while (! text.empty() && isSpace (text.back()))
+        text.remove_suffix (1);
+
+    std::string plain (text);
+
+    for (const auto& [letter, plainer] : letters)
+        for (auto at = plain.find (letter); at != std::string::npos; at = plain.find (letter))
+            plain.replace (at, letter.size(), plainer);
+
+    std::transform (plain.begin(), plain.end(), plain.begin(),
+                    [] (char c) { return c >= 'A' && c <= 'Z' ? static_cast<char> (c - 'A' + 'a') : c; });
+    return plain;
+}
+} // namespace
+
+std::optional<double> typedNumber (std::string_view text, std::initializer_list<std::string_view> units)
+{
+    auto plain = plainText (text);
+    const auto first = plain.find_first_of ("0123456789.,");
+
+    // No words for infinity, and one sign at most.
+    if (first > 1 || (first == 1 && plain.front() != '-' && plain.front() != '+'))
+        return {};
+
+    plain.erase (0, first == 1 && plain.front() == '+' ? 1 : 0);
+    std::replace (plain.begin(), plain.end(), ',', '.');
+    double value = 0;
+    const auto [next, error] = std::from_chars (plain.data(), plain.data() + plain.size(), value);
+    const auto rest = plainText ({ next, plain.data() + plain.size() });
+
+    if (error != std::errc() || ! std::isfinite (value)
+        || ! (rest.empty()
+              || std::any_of (units.begin(), units.end(),
+                              [&] (std::string_view unit) { return plainText (unit) == rest; })))
+        return {};
+
+    return value;
 }
 } // namespace antinode

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,4 +31,18 @@ std::string didYouMean (std::string_view word, const std::vector<std::string_vie
 /** Text of unknown encoding as UTF-8, without the blanks around it; bytes that are not UTF-8 are read as Latin-1. [any]
  */
 std::string trimmedText (std::string_view);
+
+/** Text as std::printf makes it, in the C locale of a program that sets none. [any] */
+[[gnu::format (printf, 1, 2)]] std::string formatted (const char* format, ...);
+
+/** A number with so many decimals: 0.5 with 2 is "0.50". [any] */
+std::string fixedText (double value, int decimals);
+
+/** A number as a person would write it: four significant digits, no exponent where it can be avoided. [any] */
+std::string inWords (double value);
+
+/** A number as a person types it, with a decimal point or a decimal comma, and a unit or none: "0.5", "0,5", " -3 mm".
+    @param units  what may stand behind it; whether letters are small does not matter, a micro sign may be a u
+    @return       none where the text says anything else, or no finite number [any] */
+std::optional<double> typedNumber (std::string_view text, std::initializer_list<std::string_view> units = {});
 } // namespace antinode

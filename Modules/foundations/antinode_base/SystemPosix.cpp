@@ -1,10 +1,6 @@
 #ifndef _WIN32
 
-#include "Processes.h"
-#include "Sockets.h"
-#include "StandardStreams.h"
-#include "SystemFiles.h"
-#include "UserFolders.h"
+#include "System.h"
 
 #include <array>
 #include <cerrno>

@@ -1,10 +1,6 @@
 #ifdef _WIN32
 
-#include "Processes.h"
-#include "Sockets.h"
-#include "StandardStreams.h"
-#include "SystemFiles.h"
-#include "UserFolders.h"
+#include "System.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #include "InputError.h"
 #include "MessageText.h"
-#include "SystemFiles.h"
+#include "System.h"
 #include "Watch.h"
 
 #include <algorithm>

@@ -1,11 +1,25 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace antinode
 {
+/** A file that was compiled into the program. */
+struct EmbeddedFile
+{
+    const char* name;  ///< Path inside its folder, for example "Devices/staple.json".
+    const char* begin; ///< First byte.
+    const char* end;   ///< One past the last byte.
+
+    /** The content as text. [any] */
+    std::string_view text() const { return { begin, static_cast<std::size_t> (end - begin) }; }
+};
+
 /** What a reader of a file accepts, and how its errors say so. */
 struct FileKind
 {

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "BlockBandedFactor.h"
+#include "BlockBandedMatrix.h"
 
 #include <functional>
+#include <optional>
 
 namespace antinode
 {
@@ -29,4 +30,13 @@ struct Eigenpairs
     [worker] Docs/Theory.md, section 1.6. */
 Eigenpairs lowestEigenpairs (const BlockBandedFactor& factor, const MassProduct& mass, Eigen::Index unknowns,
                              double shift, Eigen::Index count);
+
+/** Pairs of K x = lambda M x that stand behind modes: Ritz's in the space of what the modes leave of some columns, so
+   that both together span these.
+    @param stiffness, mass  K and M times columns
+    @param modes            orthonormal in M
+    @return                 as many as columns; nothing where they depend on the modes or on each other within rounding
+    [worker] Docs/Theory.md, section 1.8. */
+std::optional<Eigenpairs> ritzPairsBehind (const MassProduct& stiffness, const MassProduct& mass,
+                                           const Eigen::MatrixXd& modes, Eigen::MatrixXd columns);
 } // namespace antinode

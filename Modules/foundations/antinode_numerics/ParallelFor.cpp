@@ -132,4 +132,13 @@ void parallelFor (std::size_t count, const std::function<void (std::size_t)>& wo
 
     indices.rethrow();
 }
+
+void CaseCounter::add (std::uint64_t cases)
+{
+    const std::lock_guard lock (mutex);
+    done += cases;
+
+    if (show)
+        show (done);
+}
 } // namespace antinode

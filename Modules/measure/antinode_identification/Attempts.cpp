@@ -3,14 +3,14 @@
 #include "Causes.h"
 #include "ChannelFilters.h"
 #include "ChannelPhases.h"
-#include "ErrorMap.h"
+#include "FitErrors.h"
+#include "Identification.h"
 #include "MeasuredQuantity.h"
 #include "ModalRange.h"
 #include "PointDrift.h"
-#include "PointSample.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 
 #include <algorithm>
 

@@ -2,10 +2,10 @@
 
 #include "ChannelPhases.h"
 #include "Channels.h"
-#include "PointSample.h"
+#include "Identification.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_base/Watch.h>
 

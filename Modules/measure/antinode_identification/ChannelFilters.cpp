@@ -1,12 +1,11 @@
 #include "ChannelFilters.h"
 
-#include "ChannelTurns.h"
+#include "ChannelPhases.h"
 #include "ComplexModes.h"
-#include "ModeAssessment.h"
-#include "ModeKind.h"
-#include "PointSample.h"
+#include "Identification.h"
+#include "ModeSelection.h"
 
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_base/Watch.h>
 
 #include <algorithm>

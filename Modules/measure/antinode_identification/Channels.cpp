@@ -1,8 +1,8 @@
 #include "Channels.h"
 
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_base/Watch.h>
-#include <antinode_numerics/Median.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <algorithm>
 #include <array>

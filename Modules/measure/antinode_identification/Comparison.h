@@ -2,7 +2,11 @@
 
 #include "IdentifiedModes.h"
 
+#include <Eigen/Core>
 #include <antinode_model/ModalModel.h>
+
+#include <optional>
+#include <vector>
 
 namespace antinode
 {
@@ -42,4 +46,32 @@ ModeComparison compareModes (const IdentifiedModes&, const ModalModel& computed)
    of modes without a partner are as much larger, ceramic by ceramic. Ascending again. [worker]
    Docs/Theory.md, section 8.7. */
 ModalModel transferred (const ModalModel& computed, const IdentifiedModes&, const ModeComparison&);
+
+/** The one-to-one assignment of rows to columns with the largest sum of scores, by the Hungarian method.
+    @param scores  N x M, finite
+    @return        for each row its column, -1 where there are fewer columns than rows and it has none
+    [worker] Kuhn, Naval Research Logistics Quarterly 2 (1955) 83. */
+std::vector<Eigen::Index> assign (const Eigen::MatrixXd& scores);
+
+/** New frequencies and dampings of some of a model's modes. N_m modes. */
+struct ModeUpdate
+{
+    Eigen::VectorXd angularFrequencies, dampingRatios; ///< N_m: where known.
+    std::vector<bool> isKnown;                         ///< N_m
+};
+
+/** The model with what is known put in. The frequency of other modes moves by the mean relative change of a few known
+    neighbours on either side, interpolated; their damping stays, and so does the order of modes.
+    [worker] Docs/Theory.md, section 8.7. */
+ModalModel updated (ModalModel, const ModeUpdate&);
+
+/** By how much frequencies of a device usually differ from those that a solver computes, relative; none where they were
+   measured. [any] */
+std::optional<double> usualModelError (const ModalModel&);
+
+/** Some modes of a model, in the order that is given. [worker] */
+ModalModel withModes (ModalModel, const std::vector<Eigen::Index>& modes);
+
+/** The model with its modes in ascending order of frequency. [worker] */
+ModalModel ascending (ModalModel);
 } // namespace antinode

@@ -1,11 +1,18 @@
 #include "FitErrors.h"
 
-#include "LineSegment.h"
+#include "ModalFunctions.h"
 
+#include <Eigen/LU>
+#include <antinode_base/MessageText.h>
+#include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
 
 namespace antinode
 {
@@ -176,5 +183,178 @@ void weighByErrors (PreparedResponses& data, const FitErrors& errors)
             data.columnWeights[c] =
                 active[c] * std::exp (-byPoint.rows[c % data.points()] - byPoint.columns[c / data.points()]);
     }
+}
+
+namespace
+{
+/** The fit of i omega (c_-1 x^-2 + c_0 + c_1 x^2), real c, x = omega over the highest one, to what is left of each
+    channel: normal equations of the channels, which differ by the lines that they lack. */
+class ShareFit
+{
+public:
+    ShareFit (const PreparedResponses& data, const IdentifiedModes& modesToUse)
+        : modes (modesToUse), rows (data.points()), highest (data.omega[data.lines() - 1]),
+          last (data.omega[0] + lowerPart * (highest - data.omega[0])),
+          matrices (static_cast<std::size_t> (data.columns()), Eigen::Matrix3d::Zero()),
+          sums (Eigen::Matrix3Xd::Zero (3, data.columns()))
+    {
+    }
+
+    void add (Eigen::Index point, Eigen::Index reference, double omega, std::complex<double> left)
+    {
+        if (omega > last)
+            return;
+
+        const auto lowPass = modes.lowPasses.size() > 0 ? modes.lowPasses (point, reference) : 0.0;
+        const auto value = left * std::polar (1.0, omega * modes.delay) * std::complex<double> (1, omega * lowPass);
+        const auto x = std::pow (omega / highest, 2);
+        const Eigen::Vector3d functions = omega * Eigen::Vector3d (1 / x, 1, x);
+        const auto channel = point + rows * reference;
+        matrices[static_cast<std::size_t> (channel)] += functions * functions.transpose();
+        sums.col (channel) += value.imag() * functions;
+    }
+
+    Eigen::MatrixXd share() const
+    {
+        Eigen::MatrixXd result (rows, sums.cols() / rows);
+
+        for (Eigen::Index channel = 0; channel < sums.cols(); ++channel)
+        {
+            const auto& matrix = matrices[static_cast<std::size_t> (channel)];
+            const Eigen::FullPivLU<Eigen::Matrix3d> factors (matrix);
+            result.reshaped()[channel] = factors.isInvertible() ? factors.solve (sums.col (channel))[1]
+                                                                : std::numeric_limits<double>::quiet_NaN();
+        }
+
+        return result;
+    }
+
+private:
+    static constexpr double lowerPart = 0.6; // Nearer to the next mode more terms would be needed.
+
+    const IdentifiedModes& modes;
+    Eigen::Index rows;
+    double highest, last; // rad/s
+    std::vector<Eigen::Matrix3d> matrices;
+    Eigen::Matrix3Xd sums;
+};
+} // namespace
+
+ModalRest modalRest (const IdentifiedModes& modes, const PreparedResponses& data)
+{
+    auto alone = modes;
+    alone.residuals.clear();
+    double error = 0, energy = 0;
+    ShareFit fit (data, modes);
+
+    // Part by part: what was measured may fill most of the memory.
+    for (Eigen::Index first = 0; first < data.lines(); first += linesOfSegment)
+    {
+        checkWatch();
+        const auto count = std::min (linesOfSegment, data.lines() - first);
+        const auto given = synthesise (alone, data.omega.segment (first, count) / (2 * std::numbers::pi));
+
+        for (std::size_t i = 0; i < given.values.size(); ++i)
+        {
+            const auto measured = data.responses->values[i].middleRows (data.firstLine + first, count);
+
+            for (Eigen::Index p = 0; p < data.points(); ++p)
+                for (Eigen::Index f = 0; f < count; ++f)
+                    if (const auto left = measured (f, p) - given.values[i](f, p); std::isfinite (std::norm (left)))
+                    {
+                        error += std::norm (left);
+                        energy += std::norm (measured (f, p));
+                        fit.add (p, static_cast<Eigen::Index> (i), data.omega[first + f], left);
+                    }
+        }
+    }
+
+    return { 10 * std::log10 (std::max (error / energy, 1e-32)), fit.share() };
+}
+
+namespace
+{
+constexpr Eigen::Index spans = 24;
+
+double decibels (double ratio)
+{
+    return 10 * std::log10 (std::max (ratio, 1e-30));
+}
+
+/** Energies of velocities and of what synthesis leaves of them, by spans of lines and by channels: spans x C. */
+struct ErrorMap
+{
+    Eigen::VectorXd edges; ///< Hz, spans + 1.
+    Eigen::ArrayXXd errors, energies;
+};
+
+ErrorMap errorMap (const FrequencyResponses& responses, const IdentifiedModes& modes, const FrequencyBand& band)
+{
+    const auto* const begin = responses.frequencies.data();
+    const auto* const end = begin + responses.frequencies.size();
+    const auto first = std::lower_bound (begin, end, band.minimum) - begin;
+    const auto count = std::upper_bound (begin, end, band.maximum) - begin - first;
+    const auto points = responses.points.rows();
+    ErrorMap map { Eigen::VectorXd (spans + 1),
+                   Eigen::ArrayXXd::Zero (spans, points * static_cast<Eigen::Index> (responses.values.size())),
+                   {} };
+    map.energies = map.errors;
+    map.edges[spans] = responses.frequencies[first + count - 1];
+
+    for (Eigen::Index s = 0; s < spans; ++s)
+    {
+        checkWatch();
+        const auto from = first + s * count / spans, lines = first + (s + 1) * count / spans - from;
+        map.edges[s] = responses.frequencies[from];
+
+        const auto given = synthesise (modes, responses.frequencies.segment (from, lines));
+
+        for (std::size_t i = 0; i < responses.values.size(); ++i)
+            for (Eigen::Index p = 0; p < points; ++p)
+                for (Eigen::Index f = 0; f < lines; ++f)
+                {
+                    const auto measured = responses.values[i](from + f, p);
+                    const auto column = static_cast<Eigen::Index> (i) * points + p;
+
+                    if (const auto error = std::norm (measured - given.values[i](f, p)); std::isfinite (error))
+                    {
+                        map.errors (s, column) += error;
+                        map.energies (s, column) += std::norm (measured);
+                    }
+                }
+    }
+
+    return map;
+}
+
+} // namespace
+
+double errorBetween (const FrequencyResponses& responses, const IdentifiedModes& modes, const FrequencyBand& band)
+{
+    const auto map = errorMap (responses, modes, band);
+    const Eigen::ArrayXd errors = map.errors.rowwise().sum(), energies = map.energies.rowwise().sum();
+    return decibels (errors.sum() / energies.sum()) + decibels ((errors / energies.max (1e-300)).min (1).mean());
+}
+
+std::string sayWhere (const FrequencyResponses& responses, const IdentifiedModes& modes)
+{
+    const auto map = errorMap (responses, modes, { modes.minimumFrequency, modes.maximumFrequency });
+    const Eigen::ArrayXd bySpan = map.errors.rowwise().sum(), byColumn = map.errors.colwise().sum().transpose();
+    Eigen::Index span = 0, column = 0;
+    bySpan.maxCoeff (&span);
+    byColumn.maxCoeff (&column);
+    const auto share = [] (double part, double all)
+    { return fixedText (100 * part / std::max (all, 1e-300), 0) + " %"; };
+    auto text = share (bySpan[span], bySpan.sum()) + " of the error lies from " + inWords (map.edges[span]) + " to "
+                + inWords (map.edges[span + 1]) + " Hz";
+
+    if (byColumn.size() > 1)
+        text += ", " + share (byColumn[column], byColumn.sum()) + " of it at point "
+                + std::to_string (column % responses.points.rows() + 1) + ", driver "
+                + responses.references[static_cast<std::size_t> (column / responses.points.rows())].name;
+
+    return text
+           + "; other ranges and orders were tried: check quantity, sign and sensors, then --band, --orders and "
+             "--complex";
 }
 } // namespace antinode

@@ -1,6 +1,11 @@
 #pragma once
 
+#include "Identification.h"
+#include "IdentifiedModes.h"
 #include "NormalModeFit.h"
+#include "PreparedResponses.h"
+
+#include <string>
 
 namespace antinode
 {
@@ -28,4 +33,29 @@ FitErrors fitErrors (PreparedResponses&, const ModalBasis&, const Eigen::MatrixX
 /** Weights 1 / variance from what a fit leaves: a product of one for each line, point and reference. Where variances
    were given they stay, as far as the errors confirm them. [worker] Docs/Theory.md, section 8.5. */
 void weighByErrors (PreparedResponses&, const FitErrors&);
+
+/** What modes alone leave of measured velocities, without residual terms. */
+struct ModalRest
+{
+    double error = 0; ///< RMS over RMS of measured, dB, on the lines of the data.
+
+    /** N_p x N_b: how far modes above the band bend the points per drive, far below it, m/V or m/N: least squares on
+       the lower part of the band, beside the inertia of lower modes and the onset of higher ones. NaN where it is not
+        measured. Residual terms, which fit all of the band, take it up to twice as large. */
+    Eigen::MatrixXd staticShare;
+};
+
+/** [worker] Docs/Theory.md, section 8.4. */
+ModalRest modalRest (const IdentifiedModes&, const PreparedResponses&);
+
+/** Two dB figures of the error between two frequencies added: that of the energy as it is, and that of spans of lines
+   which count alike, however weak they are. The lower the better.
+    @throws Cancelled  as checkWatch()
+    [worker] */
+double errorBetween (const FrequencyResponses&, const IdentifiedModes&, const FrequencyBand&);
+
+/** Where most of the error lies, and what may help, as a sentence.
+    @throws Cancelled  as checkWatch()
+    [worker] */
+std::string sayWhere (const FrequencyResponses&, const IdentifiedModes&);
 } // namespace antinode

@@ -2,10 +2,10 @@
 
 #include "Channels.h"
 #include "ComplexModes.h"
+#include "Identification.h"
 #include "ModeSelection.h"
-#include "PointSample.h"
 
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_base/Watch.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Identification.h"
-#include "PoleClusters.h"
+#include "PoleSearch.h"
 
 #include <array>
 #include <string>

@@ -3,7 +3,7 @@
 #include "PreparedResponses.h"
 
 #include <antinode_base/Watch.h>
-#include <antinode_numerics/Median.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,6 @@
 
 #include "Deviations.h"
 #include "FitErrors.h"
-#include "ModalError.h"
-#include "ModeAssessment.h"
 #include "ModeSelection.h"
 #include "ShapeScales.h"
 

@@ -3,7 +3,7 @@
 #include "ComplexModes.h"
 #include "Identification.h"
 #include "NormalModeFit.h"
-#include "PoleClusters.h"
+#include "PoleSearch.h"
 
 namespace antinode
 {

@@ -1,6 +1,6 @@
 #include "PeakPicking.h"
 
-#include "ModalError.h"
+#include "FitErrors.h"
 #include "NormalModeFit.h"
 #include "ShapeScales.h"
 

@@ -1,9 +1,9 @@
 #include "PointDrift.h"
 
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_base/Watch.h>
-#include <antinode_numerics/Median.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <Eigen/QR>
 

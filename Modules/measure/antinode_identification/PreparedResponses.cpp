@@ -2,7 +2,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
-#include <antinode_numerics/Median.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <algorithm>
 #include <cmath>

@@ -11,4 +11,11 @@ namespace antinode
     @param masses  N_p: kg, or empty
     [worker] Docs/Theory.md, section 8.6. */
 void scaleShapes (IdentifiedModes&, const Eigen::VectorXd& masses);
+
+/** Shapes made orthogonal one after the other by Gram and Schmidt, as the paper did, each as long as before;
+   participation as velocities follow: v = Phi q = Q R q. Of a structure that is mapped in part this spoils shapes:
+   their cross-talk is physics.
+    @param masses  N_p: kg, or empty for equal ones; points without data do not count
+    [worker] Docs/Theory.md, section 8.6; paper, section 5. */
+void orthogonalise (IdentifiedModes&, const Eigen::VectorXd& masses);
 } // namespace antinode

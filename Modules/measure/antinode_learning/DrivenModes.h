@@ -1,6 +1,6 @@
 #pragma once
 
-#include "FreeDecay.h"
+#include "MovingMode.h"
 #include "PlayedVoltages.h"
 
 namespace antinode

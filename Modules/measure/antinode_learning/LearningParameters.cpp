@@ -1,6 +1,6 @@
 #include "LearningParameters.h"
 
-#include "UsualDeviations.h"
+#include "ModeSpread.h"
 
 #include <antinode_base/InputError.h>
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "LearnModes.h"
+#include "PlayedRecording.h"
 #include "PlayedVoltages.h"
-#include "ShiftedSignals.h"
 
-#include <antinode_identification/LineMoments.h>
+#include <antinode_identification/ModalProducts.h>
 
 #include <memory>
 

@@ -1,7 +1,7 @@
 #include "LearningProblem.h"
 
-#include "HeardParameters.h"
-#include "ResponseEquations.h"
+#include "LearningEquations.h"
+#include "ParameterEffects.h"
 
 #include <antinode_numerics/DenseKernels.h>
 #include <antinode_numerics/GaussNewton.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "RecordingEquations.h"
+#include "LearningEquations.h"
 
 #include <limits>
 #include <vector>

@@ -1,6 +1,13 @@
 #include "ParameterEffects.h"
 
+#include "DrivenModes.h"
+#include "LearningEquations.h"
+#include "ModeSpread.h"
+
+#include <antinode_numerics/DenseKernels.h>
 #include <antinode_numerics/ParallelFor.h>
+
+#include <algorithm>
 
 namespace antinode
 {
@@ -178,5 +185,196 @@ void takeGram (const ParameterEffects& effects, const Eigen::MatrixXd& weighted,
                                 .lazyProduct (weighted.middleCols (column.firstParameter, column.parameters())));
             }
         });
+}
+
+namespace
+{
+constexpr double leastInformation = 0.1; // of the prior's, of a parameter
+
+/** The inner products of what a deviation of each participation does to a mode, N_b x N_b, of all recordings, each of
+    its length. */
+Eigen::MatrixXd sharesOfCeramics (const LearningPrior& prior, Eigen::Index k)
+{
+    const auto ceramics = prior.model.actuators();
+    Eigen::MatrixXd products = Eigen::MatrixXd::Zero (ceramics, ceramics);
+
+    for (const auto& voltages : prior.voltages)
+    {
+        const auto each = drivenByEachCeramic (prior.deviating, k, voltages, voltages.samples());
+        const auto parts = each.parts();
+        const auto logarithm = decayLogarithm (prior.model, k, voltages.sampleRate());
+        const auto decay = decayProducts (logarithm, logarithm, voltages.samples() - each.driven.rows());
+        products += parts.transpose() * decay * parts;
+        addGram (products, 1, each.driven.transpose());
+    }
+
+    return products.selfadjointView<Eigen::Lower>();
+}
+
+/** How well all sensors together hear a mode: the sum of squares over the noise. */
+double audibility (const LearningPrior& prior, Eigen::Index k)
+{
+    double sum = 0;
+
+    for (std::size_t m = 0; m < prior.sensors.size(); ++m)
+    {
+        const auto ratio = prior.sensors[m].shapes[k] / prior.recordings.front().noise[static_cast<Eigen::Index> (m)];
+        sum += ratio * ratio;
+    }
+
+    return sum;
+}
+
+std::vector<LearningParameter> participationParameters (Eigen::Index k, const Eigen::MatrixXd& products, double heard)
+{
+    const auto eigen = symmetricEigen (products);
+    std::vector<LearningParameter> parameters;
+
+    for (auto v = eigen.values.size() - 1; v >= 0; --v)
+        if (const auto told = heard * eigen.values[v]; told > leastInformation)
+            parameters.push_back ({ ParameterKind::participation, k, 0, eigen.vectors.col (v), told });
+
+    return parameters;
+}
+
+/** Sums of squares over a whole recording: N_m. */
+Eigen::VectorXd energiesOf (const Histories& histories, const Eigen::VectorXcd& logarithms, Eigen::Index samples)
+{
+    Eigen::VectorXd energies = histories.driven.colwise().squaredNorm().transpose();
+
+    for (Eigen::Index k = 0; k < energies.size(); ++k)
+    {
+        const auto parts = histories.after[static_cast<std::size_t> (k)].parts();
+        energies[k] +=
+            parts.dot (decayProducts (logarithms[k], logarithms[k], samples - histories.driven.rows()) * parts);
+    }
+
+    return energies;
+}
+
+/** The sums of squares of all modes' motions, and of their changes per relative change of frequency and damping: 3 x
+    N_m. */
+Eigen::Matrix3Xd knownEnergies (const LearningPrior& prior)
+{
+    Eigen::Matrix3Xd sums = Eigen::Matrix3Xd::Zero (3, prior.model.modes());
+
+    for (const auto& voltages : prior.voltages)
+    {
+        const auto motions = driveModes (prior.model, voltages, voltages.samples());
+        const auto logarithms = decayLogarithms (prior.model, voltages.sampleRate());
+        sums.row (0) += energiesOf (motions.velocity, logarithms, voltages.samples());
+        sums.row (1) += energiesOf (motions.byFrequency, logarithms, voltages.samples());
+        sums.row (2) += energiesOf (motions.byDamping, logarithms, voltages.samples());
+    }
+
+    return sums;
+}
+
+/** The energies of a mode where participations are off as the prior says. Voltages that keep a mode at rest by what it
+    is known to be move it on the device: ceramics that cancel each other do not any more. */
+Eigen::Vector3d expectedEnergies (const Eigen::Vector3d& known, const Eigen::MatrixXd& products)
+{
+    const auto whole = known[0] + products.trace();
+    return known[0] > 0 ? Eigen::Vector3d (known * (whole / known[0])) : Eigen::Vector3d (whole, 0, 0);
+}
+
+std::vector<LearningParameter> parametersOf (const LearningPrior& prior, Eigen::Index k, const Eigen::Vector3d& known)
+{
+    const auto square = [] (double value) { return value * value; };
+    const auto& deviations = prior.deviations;
+    const auto heard = audibility (prior, k);
+    const auto products = sharesOfCeramics (prior, k);
+    const auto energy = expectedEnergies (known, products);
+    auto parameters = std::vector<LearningParameter> {};
+
+    if (const auto told = heard * energy[1] * square (deviations.frequencies[k]); told > leastInformation)
+        parameters.push_back ({ ParameterKind::frequency, k, 0, {}, told });
+
+    if (const auto told = heard * energy[2] * square (deviations.dampings[k]); told > leastInformation)
+        parameters.push_back ({ ParameterKind::damping, k, 0, {}, told });
+
+    const auto directions = participationParameters (k, products, heard);
+    parameters.insert (parameters.end(), directions.begin(), directions.end());
+
+    for (std::size_t m = 0; m < prior.sensors.size(); ++m)
+    {
+        const auto& sensor = prior.sensors[m];
+
+        if (sensor.deviations.size() == 0)
+            continue;
+
+        const auto ratio = sensor.deviations[k] / prior.recordings.front().noise[static_cast<Eigen::Index> (m)];
+
+        if (const auto told = square (ratio) * energy[0]; told > leastInformation)
+            parameters.push_back ({ ParameterKind::sensor, k, static_cast<Eigen::Index> (m), {}, told });
+    }
+
+    return parameters;
+}
+
+std::vector<SharedParameter> sharedOf (const LearningPrior& prior)
+{
+    std::vector<SharedParameter> shared;
+
+    if (prior.deviations.gain > 0)
+        shared.push_back ({ SharedParameter::Kind::gain, 0 });
+
+    if (prior.deviations.ceramicGains > 0)
+        for (Eigen::Index i = 0; i < prior.model.actuators(); ++i)
+            shared.push_back ({ SharedParameter::Kind::ceramicGain, i });
+
+    constexpr double leastMixture = 0.02;
+
+    for (Eigen::Index k = 0; k + 1 < prior.model.modes() && prior.deviations.mixing > 0; ++k)
+        if (mixturesOf (prior.modes.angularFrequencies, k, prior.deviations.mixing)[k + 1] > leastMixture)
+            shared.push_back ({ SharedParameter::Kind::mixture, k });
+
+    for (std::size_t m = 0; m < prior.sensors.size(); ++m)
+    {
+        const auto index = static_cast<Eigen::Index> (m);
+
+        if (prior.sensors[m].gain > 0)
+            shared.push_back ({ SharedParameter::Kind::sensorGain, index });
+
+        if (prior.sensors[m].slopes.size() > 0)
+        {
+            shared.push_back ({ SharedParameter::Kind::sensorX, index });
+            shared.push_back ({ SharedParameter::Kind::sensorY, index });
+        }
+    }
+
+    return shared;
+}
+
+std::vector<std::vector<LearningParameter>> heardInRecordings (const LearningPrior& prior)
+{
+    std::vector<std::vector<LearningParameter>> ofModes (static_cast<std::size_t> (prior.model.modes()));
+    const auto known = knownEnergies (prior);
+    parallelFor (ofModes.size(),
+                 [&] (std::size_t index)
+                 {
+                     const auto k = static_cast<Eigen::Index> (index);
+                     ofModes[index] = parametersOf (prior, k, known.col (k));
+                 });
+    return ofModes;
+}
+} // namespace
+
+LearningParameters heardParameters (const LearningPrior& prior)
+{
+    const auto ofModes =
+        prior.recordings.empty() ? heardInResponses (prior, leastInformation) : heardInRecordings (prior);
+    LearningParameters parameters;
+    parameters.shared = sharedOf (prior);
+    parameters.delays = prior.delays().size();
+
+    for (Eigen::Index i = 0; i < prior.distortionDeviations.size(); ++i)
+        if (prior.distortionDeviations[i] > 0)
+            parameters.distorting.push_back (i);
+
+    for (const auto& some : ofModes)
+        parameters.modal.insert (parameters.modal.end(), some.begin(), some.end());
+
+    return parameters;
 }
 } // namespace antinode

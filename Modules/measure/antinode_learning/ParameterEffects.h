@@ -36,4 +36,10 @@ Eigen::MatrixXd productsWith (const ParameterEffects&, const Eigen::VectorXcd& l
     [worker] */
 void takeGram (const ParameterEffects&, const Eigen::MatrixXd& weighted, const Eigen::VectorXcd& logarithms,
                Eigen::Index samples, MatrixOut gram);
+
+/** The parameters that the data say anything of, recordings where there are any: those of which they have at least a
+   tenth of the prior's information. The others are left as they are.
+    @throws Cancelled  as checkWatch()
+    [worker] Docs/Theory.md, section 7.6. */
+LearningParameters heardParameters (const LearningPrior&);
 } // namespace antinode

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <antinode_model/ModalModel.h>
 
 namespace antinode
@@ -76,4 +77,11 @@ ModeMotion modeMotion (double angularFrequency, double dampingRatio, const Eigen
 
 /** The velocities of all modes, N_s x N_m. [worker] */
 Eigen::MatrixXd modeVelocities (const ModalModel&, const PlayedVoltages&, Eigen::Index samples);
+
+/** The cubes of band-limited voltages, without what they have beyond half the sample rate: what ceramics that distort
+    add to their motion.
+    @param voltages  V, N_b x N_s
+    @return          V^3, N_b x N_s
+    [worker] Docs/Theory.md, section 7.6. */
+Eigen::MatrixXd cubedVoltages (const Eigen::MatrixXd& voltages);
 } // namespace antinode

@@ -1,16 +1,16 @@
 #include "Retuning.h"
 
+#include "LearningEquations.h"
 #include "LearningProblem.h"
-#include "ResponseEquations.h"
-#include "UsualDeviations.h"
+#include "ModeSpread.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_identification/Comparison.h>
 #include <antinode_identification/FitErrors.h>
-#include <antinode_identification/FrequencyDrift.h>
 #include <antinode_identification/KnownModeFit.h>
-#include <antinode_identification/KnownPoles.h>
-#include <antinode_model/ShapesAtPlaces.h>
-#include <antinode_numerics/Median.h>
+#include <antinode_identification/KnownModes.h>
+#include <antinode_model/ModalModel.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "Amplifier.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
-#include <antinode_model/LongestLag.h>
+#include <antinode_base/MessageText.h>
+#include <antinode_model/ModalModel.h>
 
 #include <Eigen/Cholesky>
 

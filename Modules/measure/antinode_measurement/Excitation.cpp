@@ -1,14 +1,12 @@
 #include "Excitation.h"
 
-#include "Multisine.h"
-#include "Sweep.h"
-
 #include <antinode_base/InputError.h>
 #include <antinode_numerics/Fourier.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <sstream>
 #include <string>
@@ -238,5 +236,142 @@ Eigen::VectorXd measuredFrequencies (const Excitation& excitation)
         frequencies[i] = excitation.lineFrequency (excitation.lines[static_cast<std::size_t> (i)]);
 
     return frequencies;
+}
+
+namespace
+{
+constexpr int clippings = 40;
+constexpr double firstClip = 0.7, lastClip = 0.9; // of the peak
+constexpr Eigen::Index oversampling = 2;          // Clipped samples alone leave the peaks between them.
+
+Eigen::VectorXcd schroederSpectrum (const std::vector<Eigen::Index>& lines, Eigen::Index length)
+{
+    Eigen::VectorXcd spectrum = Eigen::VectorXcd::Zero (length / 2 + 1);
+    const auto count = static_cast<double> (lines.size());
+    double n = 0;
+
+    for (const auto line : lines)
+    {
+        n += 1;
+        spectrum[line] = std::polar (1.0, -std::numbers::pi * std::fmod (n * (n - 1) / count, 2.0));
+    }
+
+    return spectrum;
+}
+
+/** The waveform between the samples, too: oversampled. */
+Eigen::VectorXd oversampledWaveform (const Eigen::VectorXcd& spectrum, Eigen::Index length)
+{
+    Eigen::VectorXcd wide = Eigen::VectorXcd::Zero (oversampling * length / 2 + 1);
+    wide.head (spectrum.size()) = spectrum;
+    return inverseFourier (wide, oversampling * length);
+}
+
+/** The same lines with equal amplitudes and the phases of a waveform. */
+Eigen::VectorXcd withPhasesFrom (const Eigen::VectorXd& waveform, const std::vector<Eigen::Index>& lines,
+                                 Eigen::Index count)
+{
+    const auto phases = forwardFourier (waveform);
+    Eigen::VectorXcd spectrum = Eigen::VectorXcd::Zero (count);
+
+    for (const auto line : lines)
+        spectrum[line] = std::polar (1.0, std::arg (phases[line]));
+
+    return spectrum;
+}
+} // namespace
+
+std::vector<Eigen::Index> everyLine (Eigen::Index lowest, Eigen::Index highest)
+{
+    std::vector<Eigen::Index> lines;
+
+    for (auto line = lowest; line <= highest; ++line)
+        lines.push_back (line);
+
+    return lines;
+}
+
+std::vector<Eigen::Index> oddRandomLines (Eigen::Index lowest, Eigen::Index highest, std::uint64_t seed)
+{
+    constexpr Eigen::Index group = 4;
+    RandomNumbers random (seed);
+    std::vector<Eigen::Index> lines;
+    Eigen::Index place = 0, leftOut = 0;
+
+    for (auto line = lowest | 1; line <= highest; line += 2, place = (place + 1) % group)
+    {
+        if (place == 0)
+            leftOut = static_cast<Eigen::Index> (static_cast<double> (group) * random.uniform());
+
+        if (place != leftOut)
+            lines.push_back (line);
+    }
+
+    if (lines.empty())
+        throw InputError ("excitation", "has no odd line in its band; choose a wider band or a finer resolution");
+
+    return lines;
+}
+
+Eigen::VectorXd multisinePeriod (const std::vector<Eigen::Index>& lines, Eigen::Index length)
+{
+    auto spectrum = schroederSpectrum (lines, length);
+    auto best = spectrum;
+    auto waveform = oversampledWaveform (spectrum, length);
+    auto lowest = waveform.cwiseAbs().maxCoeff();
+
+    for (int i = 0; i < clippings; ++i)
+    {
+        const auto share = firstClip + (lastClip - firstClip) * i / (clippings - 1);
+        const auto clip = share * waveform.cwiseAbs().maxCoeff();
+        spectrum = withPhasesFrom (waveform.cwiseMax (-clip).cwiseMin (clip), lines, spectrum.size());
+        waveform = oversampledWaveform (spectrum, length);
+
+        // All have the same effective value, so the lowest peak has the lowest crest factor.
+        if (const auto peak = waveform.cwiseAbs().maxCoeff(); peak < lowest)
+        {
+            lowest = peak;
+            best = spectrum;
+        }
+    }
+
+    const auto signal = inverseFourier (best, length);
+    return signal / signal.cwiseAbs().maxCoeff();
+}
+
+namespace
+{
+constexpr double below = 0.8, above = 1.15, nearNyquist = 0.49;
+
+/** Half a period of a cosine from 0 to 1. */
+double fade (double place)
+{
+    return 0.5 - 0.5 * std::cos (std::numbers::pi * std::clamp (place, 0.0, 1.0));
+}
+} // namespace
+
+Sweep makeSweep (double lowestFrequency, double highestFrequency, double duration, double sampleRate)
+{
+    Sweep sweep;
+    sweep.startFrequency = below * lowestFrequency;
+    sweep.endFrequency = std::min (above * highestFrequency, nearNyquist * sampleRate);
+    const auto octaves = std::log (sweep.endFrequency / sweep.startFrequency);
+    const auto turns = std::max (1.0, std::round (sweep.startFrequency * duration / octaves)); // f_1 L
+    sweep.rise = turns / sweep.startFrequency;
+
+    const auto fadeIn = sweep.rise * std::log (1 / below);
+    const auto fadeOut = sweep.rise * std::log (sweep.endFrequency / highestFrequency);
+    const auto length = sweep.rise * octaves;
+    sweep.samples.resize (static_cast<Eigen::Index> (length * sampleRate) + 1);
+
+    for (Eigen::Index n = 0; n < sweep.samples.size(); ++n)
+    {
+        const auto t = static_cast<double> (n) / sampleRate;
+        const auto phase = turns * std::expm1 (t / sweep.rise); // in turns
+        sweep.samples[n] = std::sin (2 * std::numbers::pi * std::remainder (phase, 1.0)) * fade (t / fadeIn)
+                           * fade ((length - t) / fadeOut);
+    }
+
+    return sweep;
 }
 } // namespace antinode

@@ -1,9 +1,9 @@
 #include "HammerHits.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_numerics/Fourier.h>
-#include <antinode_numerics/Median.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "HammerResponses.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_numerics/Fourier.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "AveragedSpectra.h"
+#include "EstimatedResponses.h"
 #include "HammerHits.h"
 
 namespace antinode

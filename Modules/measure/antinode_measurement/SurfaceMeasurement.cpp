@@ -1,6 +1,6 @@
 #include "SurfaceMeasurement.h"
 
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 
 #include <algorithm>
 #include <cmath>

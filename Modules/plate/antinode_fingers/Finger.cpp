@@ -1,9 +1,9 @@
 #include "Finger.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
-#include <antinode_model/PlaceOnSurface.h>
+#include <antinode_model/Surface.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "ModalModel.h"
 
-#include "PlaceOnSurface.h"
 #include "ShapeInterpolation.h"
+#include "Surface.h"
 
 #include <antinode_base/InputError.h>
 
@@ -228,5 +228,23 @@ void validate (const ModalModel& model)
                  model, "has a grid whose size differs from the number of points");
 
     validateModes (model);
+}
+
+ModalModel withoutDrive (ModalModel model, const std::vector<int>& idle)
+{
+    for (const auto ceramic : idle)
+        model.participation.col (ceramic - 1).setZero();
+
+    return model;
+}
+
+Eigen::MatrixXd shapesAtPlaces (const ModalModel& model, const Eigen::MatrixX2d& places)
+{
+    Eigen::MatrixXd shapes (places.rows(), model.modes());
+
+    for (Eigen::Index p = 0; p < places.rows(); ++p)
+        shapes.row (p) = shapesAt (model, places (p, 0), places (p, 1));
+
+    return shapes;
 }
 } // namespace antinode

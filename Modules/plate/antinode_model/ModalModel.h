@@ -1,14 +1,65 @@
 #pragma once
 
-#include "Ceramic.h"
-#include "ModeOrigin.h"
 #include "Surface.h"
+
+#include <antinode_outline/Outline.h>
 
 #include <string>
 #include <vector>
 
 namespace antinode
 {
+/** The dielectric loss factor of soft ceramics (PZT-5A) at low fields: taken where none is given. */
+inline constexpr double usualLossFactor = 0.02;
+
+/** By how much a ceramic's motion comes after the voltage that is asked for, beside what all modes do. Docs/Theory.md,
+   section 7.9. */
+struct InputLag
+{
+    double delay = 0;        ///< s, 0 or more: after the ceramic that is first.
+    double timeConstant = 0; ///< s, of a low-pass of first order.
+    double angle = 0;        ///< rad, the same at all frequencies: hysteresis.
+
+    bool operator== (const InputLag&) const = default;
+};
+
+/** A ceramic (bimorph): its extent and limits. Ceramic k is output channel k. */
+struct Ceramic
+{
+    std::string name;
+    double xMinimum = 0, xMaximum = 0;   ///< Extent, m.
+    double yMinimum = 0, yMaximum = 0;   ///< Extent, m; both 0 on a line.
+    double voltageLimit = 0;             ///< U_max, V, at least 0.
+    double slewLimit = 0;                ///< max |dU/dt|, V/s, whatever it follows from; 0: none.
+    double capacitance = 0;              ///< What its amplifier charges, F; 0: unknown.
+    double lossFactor = usualLossFactor; ///< tan delta of the capacitance.
+    double area = 0;                     ///< Of one face, m^2; 0: unknown.
+    double currentLimit = 0;     ///< Of its amplifier, A; 0: none. With the capacitance it limits the slew rate.
+    double amplifierVoltage = 0; ///< What its amplifier gives for a full-scale sample, V; 0: the device's full scale.
+    InputLag lag {};             ///< Undone before the outputs.
+    Outline outline {}; ///< m, of one that does not fill its extent: a disc, a ring, a turned rectangle; else empty.
+};
+
+/** Where the modes of a device come from. */
+enum class ModeSource
+{
+    given,   ///< A file has them and says no more.
+    drawn,   ///< Computed from a drawing.
+    retuned, ///< Drawn; frequencies, damping and participations by measurement.
+    measured ///< Shapes too.
+};
+
+/** How modes came about, by which a design knows how far a device may be from them. Docs/Theory.md, section 7.4. */
+struct ModeOrigin
+{
+    ModeSource source = ModeSource::given;
+    int points = 0;           ///< Where they were measured.
+    double unexplained = 0;   ///< What they leave of what was measured there, RMS over RMS.
+    bool scaleIsKnown = true; ///< False: shapes have a size by convention; forces on the surface mean nothing to them.
+
+    bool operator== (const ModeOrigin&) const = default;
+};
+
 /** A device as its modes: all that focus and engine know of it, computed or measured.
 
     N_m flexible modes, ascending in frequency; N_p points; N_b ceramics. The shapes are mass-normalised over the whole
@@ -109,4 +160,20 @@ ModalModel onPoints (ModalModel, const std::vector<Eigen::Index>& points);
     not claim to be orthogonal.
     @throws InputError  naming the first thing that is wrong. [worker] */
 void validate (const ModalModel&);
+
+/** A device whose idle ceramics move nothing: they listen.
+    @param idle  counted from 1; each is on the device
+    [any] */
+ModalModel withoutDrive (ModalModel, const std::vector<int>& idle);
+
+/** s: by how much a ceramic may act after the first of its device, and the longest low-pass before it; what files may
+   say and filters undo. Docs/FileFormats.md. */
+inline constexpr double longestLag = 0.01;
+
+/** The mode shapes at several places of the surface.
+    @param places  x, y in m, one row per place
+    @return        places x N_c, kg^-1/2, as shapesAt() gives each row
+    @throws InputError  when a place lies outside the surface
+    [worker] Docs/Theory.md, section 1.5. */
+Eigen::MatrixXd shapesAtPlaces (const ModalModel&, const Eigen::MatrixX2d& places);
 } // namespace antinode

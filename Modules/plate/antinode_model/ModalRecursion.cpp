@@ -1,8 +1,8 @@
 #include "ModalRecursion.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_numerics/GaussLegendre.h>
 #include <antinode_numerics/KaiserSinc.h>
+#include <antinode_numerics/Quadrature.h>
 
 #include <algorithm>
 #include <cmath>

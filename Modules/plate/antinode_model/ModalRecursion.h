@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ModalModel.h"
-#include "Playback.h"
+#include "VoltageProgram.h"
 
 #include <Eigen/Core>
 

@@ -1,12 +1,13 @@
 #include "Surface.h"
 
-#include "PlaceOnSurface.h"
-
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
+#include <antinode_outline/PathBuilder.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace antinode
 {
@@ -104,5 +105,67 @@ void placeOnGrid (Surface& surface, const PlateGrid& grid)
     surface.yMinimum = grid.y.edges[0];
     surface.yMaximum = grid.y.edges[grid.y.edges.size() - 1];
     surface.grid = grid;
+}
+
+Surface boundedBy (Surface surface, SurfaceBoundary boundary)
+{
+    constexpr double tolerance = 1e-3; // of the extent: measured places are rarely better
+
+    if (surface.kind == SurfaceKind::line)
+        throw InputError ("outline", "is given, but all points have the same y, which is a line; allowed for plates");
+
+    const auto& outline = boundary.outline;
+    const auto [least, largest] = extentOf (outline);
+    const auto near = tolerance * (largest - least).maxCoeff();
+
+    for (const auto& point : surface.points.rowwise())
+        if (! outline.contains (point[0], point[1]) && distanceToBoundary (outline, point[0], point[1]) > near)
+            throw InputError ("outline", "leaves out the point at (" + inWords (1000 * point[0]) + ", "
+                                             + inWords (1000 * point[1]) + ") mm; allowed: one that holds all points");
+
+    surface.xMinimum = std::min (surface.xMinimum, least.x());
+    surface.yMinimum = std::min (surface.yMinimum, least.y());
+    surface.xMaximum = std::max (surface.xMaximum, largest.x());
+    surface.yMaximum = std::max (surface.yMaximum, largest.y());
+    surface.boundary = std::move (boundary);
+    return surface;
+}
+
+std::optional<SurfaceBoundary> boundaryOf (const Surface& surface)
+{
+    if (surface.boundary || surface.kind == SurfaceKind::line)
+        return surface.boundary;
+
+    const Eigen::Vector2d least (surface.xMinimum, surface.yMinimum), largest (surface.xMaximum, surface.yMaximum);
+    const auto path = rectanglePath ((least + largest) / 2, largest - least, 0, {}, 1);
+    const auto& held = surface.held;
+    SurfaceBoundary boundary { { { path } }, {} };
+
+    for (const auto& piece : path)
+        if (std::array { held.bottom, held.right, held.top, held.left }[static_cast<std::size_t> (piece.edge - 1)])
+            boundary.held.push_back (piece);
+
+    return boundary;
+}
+
+SquareCells squareCells (const Surface& surface, int about)
+{
+    const auto width = surface.xMaximum - surface.xMinimum, height = surface.yMaximum - surface.yMinimum;
+    const auto isLine = surface.kind == SurfaceKind::line;
+    SquareCells cells;
+    cells.columns = isLine ? about : std::max (1L, std::lround (std::sqrt (about * width / height)));
+    cells.rows = isLine ? 1 : std::max (1L, std::lround (about / static_cast<double> (cells.columns)));
+    cells.centres.resize (cells.columns * cells.rows, 2);
+
+    for (Eigen::Index j = 0; j < cells.rows; ++j)
+        for (Eigen::Index i = 0; i < cells.columns; ++i)
+        {
+            const auto x = (static_cast<double> (i) + 0.5) / static_cast<double> (cells.columns);
+            const auto y = (static_cast<double> (j) + 0.5) / static_cast<double> (cells.rows);
+            cells.centres.row (j * cells.columns + i) << std::lerp (surface.xMinimum, surface.xMaximum, x),
+                std::lerp (surface.yMinimum, surface.yMaximum, y);
+        }
+
+    return cells;
 }
 } // namespace antinode

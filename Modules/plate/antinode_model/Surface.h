@@ -1,6 +1,6 @@
 #pragma once
 
-#include "PlateGrid.h"
+#include "ShapeInterpolation.h"
 
 #include <antinode_outline/Outline.h>
 
@@ -61,4 +61,34 @@ std::vector<Eigen::Index> pointsOn (const Surface&);
 
 /** Puts a surface on a grid: points, areas and extent. Masses are made as many, and left to be given. [any] */
 void placeOnGrid (Surface&, const PlateGrid&);
+
+/** A plate of given points that ends at a boundary, to which it then extends.
+    @throws InputError  where the points are a line, or one lies outside the boundary or in a hole by more than a
+    thousandth of the extent [worker] */
+Surface boundedBy (Surface, SurfaceBoundary);
+
+/** Where a plate ends: its boundary, or the rectangle of its extent with the edges at which it is held. None of a line.
+    [any] */
+std::optional<SurfaceBoundary> boundaryOf (const Surface&);
+
+/** Refuses a y other than 0 where the surface is a line.
+    @param where  how errors name the coordinate
+    @throws InputError  one sentence [any] */
+void requireOnLine (const Surface&, double y, const std::string& where);
+
+/** Refuses a place that is not on a surface: beyond its extent, beside a line, in a hole.
+    @param where  how errors name the place: "focus: target 1"
+    @throws InputError  one sentence, with the places that are allowed [any] */
+void requireOnSurface (const Surface&, double x, double y, const std::string& where);
+
+/** The extent of a surface in a grid of cells that are about square, row by row from below. */
+struct SquareCells
+{
+    Eigen::Index columns = 0, rows = 0; ///< One row on a line.
+    Eigen::MatrixX2d centres;           ///< columns * rows x 2: x and y, m; outside the boundary, too.
+};
+
+/** @param about  how many cells, roughly on a plate, exactly on a line; at least 1
+    [any] */
+SquareCells squareCells (const Surface&, int about);
 } // namespace antinode

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "Drawing.h"
-#include "Stroke.h"
 
 namespace antinode
 {

@@ -3,7 +3,7 @@
 #include "PathSweep.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,9 @@
 
 #include "Outline.h"
 
+#include <array>
+#include <functional>
+
 namespace antinode
 {
 /** Makes a closed path of lines and arcs, one after the other from a first place. Lengths in m, angles in rad. */
@@ -39,4 +42,37 @@ private:
 
 /** An outline whose pieces are cut where x or y turn back on them. [any] */
 Outline withMonotonePieces (Outline);
+
+/** A smooth curve by a parameter. */
+struct FreeCurve
+{
+    std::function<Eigen::Vector2d (double)> at;    ///< m
+    std::function<Eigen::Vector2d (double)> slope; ///< Its derivative; it may vanish at ends.
+};
+
+/** Draws a curve as arcs and lines that leave the path smooth: pairs of arcs with the curve's tangents, halved until
+   they lie within a deviation. The path is at the curve's start. [worker] K. M. Bolton, Biarc curves, Computer-Aided
+   Design 7 (1975). */
+void drawCurve (PathBuilder&, const FreeCurve&, double from, double to, double deviation, int edge);
+
+/** Draws Bezier's cubic curve through four control points, the first of which is where the path is: as one arc of an
+   ellipse where it is what programs write for one, else as drawCurve(). [worker] */
+void drawBezier (PathBuilder&, const std::array<Eigen::Vector2d, 4>& points, double deviation, int edge);
+
+// Paths of the usual shapes, counter-clockwise. Lengths in m, angles in rad counter-clockwise. [any]
+
+/** A rectangle about its centre, with edges firstEdge (bottom), + 1 (right), + 2 (top) and + 3 (left). The corners
+   belong to the edge that follows.
+    @param radii  of the corners from the lower left one on, counter-clockwise */
+ClosedPath rectanglePath (const Eigen::Vector2d& centre, const Eigen::Vector2d& size, double angle,
+                          const std::array<double, 4>& radii, int firstEdge);
+
+/** An ellipse about its centre, all of one edge. */
+ClosedPath ellipsePath (const Eigen::Vector2d& centre, const Eigen::Vector2d& semiaxes, double angle, int edge);
+
+ClosedPath circlePath (const Eigen::Vector2d& centre, double radius, int edge);
+
+/** Straight lines through vertices and back to the first one; line i, which begins at vertex i, is edge firstEdge + i.
+ */
+ClosedPath polygonPath (const std::vector<Eigen::Vector2d>& vertices, int firstEdge);
 } // namespace antinode

@@ -26,4 +26,8 @@ struct PathNesting
     [any] Shamos and Hoey, Geometric intersection problems, 1976: the pieces that a line of equal x crosses, in order.
  */
 PathNesting nestingOf (const std::vector<ClosedPath>&, double tolerance);
+
+/** A place at which two pieces come nearer to each other than a tolerance; nothing where they do not. Of pieces that
+   share an end, what lies near it does not count, unless they run back along each other from there. [any] */
+std::optional<Eigen::Vector2d> meeting (const PathPiece&, const PathPiece&, double tolerance);
 } // namespace antinode

@@ -2,7 +2,7 @@
 
 #include "PlateSection.h"
 
-#include "BondedPart.h"
+#include "BendingProblem.h"
 
 #include <optional>
 

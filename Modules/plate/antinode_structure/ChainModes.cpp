@@ -1,16 +1,128 @@
 #include "ChainModes.h"
 
+#include "DescribedModel.h"
+
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
 #include <antinode_numerics/Decompositions.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <numeric>
 
 namespace antinode
 {
+namespace
+{
+/** Factors that make Legendre polynomials on an element a basis of strain energy 1/2 each. */
+Eigen::VectorXd energyScales (Eigen::Index count, double length, double stiffness)
+{
+    const Eigen::ArrayXd degrees = Eigen::ArrayXd::LinSpaced (count, 0, static_cast<double> (count - 1));
+    return ((2 * degrees + 1) / (length * stiffness)).sqrt().matrix();
+}
+
+/** The free motions of the first end, each of a size like what an element's unit of bending does over the chain's
+    length. */
+Eigen::MatrixXd freeMotions (const ElementChain& chain)
+{
+    double length = 0;
+
+    for (const auto& element : chain.elements)
+        length += element.length;
+
+    const auto rotation = std::sqrt (length / chain.elements.front().section.bendingStiffness);
+    Eigen::MatrixXd motions = Eigen::MatrixXd::Zero (3, 3);
+    Eigen::Index count = 0;
+
+    if (chain.stretches && ! chain.start.alongX)
+        motions (0, count++) = rotation * length;
+
+    if (! chain.start.alongY)
+        motions (1, count++) = rotation * length;
+
+    if (! chain.start.rotation)
+        motions (2, count++) = rotation;
+
+    return motions.leftCols (count);
+}
+} // namespace
+
+ChainBasis::ChainBasis (const ElementChain& chainToUse, int degree)
+    : chain (chainToUse), curvatures (degree - 1), strains (chainToUse.stretches ? degree / 2 : 0),
+      startMotion (freeMotions (chainToUse))
+{
+}
+
+Eigen::Index ChainBasis::unknowns() const
+{
+    return rigidUnknowns() + static_cast<Eigen::Index> (chain.elements.size()) * (curvatures + strains);
+}
+
+ChainMotion ChainBasis::motion (const Eigen::MatrixXd& coefficients, const std::vector<Eigen::VectorXd>& places) const
+{
+    ChainMotion result;
+    Eigen::MatrixXd state = startMotion * coefficients.topRows (rigidUnknowns());
+    const auto perElement = curvatures + strains;
+
+    for (std::size_t e = 0; e < chain.elements.size(); ++e)
+    {
+        const auto first = rigidUnknowns() + static_cast<Eigen::Index> (e) * perElement;
+        result.elements.push_back (elementMotion (e, places[e], state, coefficients.middleRows (first, perElement)));
+
+        const auto& element = chain.elements[e];
+        const auto& moved = result.elements.back();
+        const auto last = places[e].size() - 1;
+        state.row (0) = element.cosine * moved.axial.row (last) - element.sine * moved.transverse.row (last);
+        state.row (1) = element.sine * moved.axial.row (last) + element.cosine * moved.transverse.row (last);
+        state.row (2) = moved.rotation.row (last);
+    }
+
+    result.end = state;
+    return result;
+}
+
+ElementMotion ChainBasis::elementMotion (std::size_t index, const Eigen::VectorXd& places,
+                                         const Eigen::MatrixXd& startState, const Eigen::MatrixXd& coefficients) const
+{
+    const auto& element = chain.elements[index];
+    const auto half = element.length / 2;
+    const auto integrals = legendreIntegrals (places, curvatures);
+    const Eigen::MatrixXd bent =
+        energyScales (curvatures, element.length, element.section.bendingStiffness).asDiagonal()
+        * coefficients.topRows (curvatures);
+    const Eigen::VectorXd along = half * (places.array() + 1).matrix();
+    const Eigen::RowVectorXd axial = element.cosine * startState.row (0) + element.sine * startState.row (1);
+    const Eigen::RowVectorXd transverse = element.cosine * startState.row (1) - element.sine * startState.row (0);
+
+    ElementMotion result;
+    result.axial = axial.replicate (places.size(), 1);
+    result.transverse = half * half * integrals.twice * bent + along * startState.row (2);
+    result.transverse.rowwise() += transverse;
+    result.rotation = half * integrals.once * bent;
+    result.rotation.rowwise() += startState.row (2);
+    result.slope = result.rotation;
+
+    if (strains > 0)
+        result.axial += half * integrals.once.leftCols (strains)
+                        * energyScales (strains, element.length, element.section.axialStiffness).asDiagonal()
+                        * coefficients.bottomRows (strains);
+
+    if (chain.shears)
+    {
+        // S gamma = -M': the moment's growth. Its integral is the moment, from the element's start.
+        const auto perCurvature = -element.section.bendingStiffness / element.section.shearStiffness;
+        const Eigen::MatrixXd polynomials = legendrePolynomials (places, curvatures);
+        const Eigen::RowVectorXd atStart = legendrePolynomials (Eigen::VectorXd::Constant (1, -1), curvatures).row (0);
+        result.shear = perCurvature / half * legendreSlopes (places, curvatures) * bent;
+        result.slope += result.shear;
+        result.transverse += perCurvature * (polynomials.rowwise() - atStart) * bent;
+    }
+
+    return result;
+}
+
 namespace
 {
 constexpr Eigen::Index maximumUnknowns = 3000; ///< Dense matrices: about 300 MB and a minute.
@@ -216,5 +328,100 @@ ChainModes solveChain (const ElementChain& chain, int degree, double angularFreq
     modes.coefficients = watchedProduct (problem.allowed, normalised);
     modes.angularFrequencies = rayleighFrequencies (basis, problem, normalised, modes.coefficients);
     return modes;
+}
+
+namespace
+{
+/** The places on an element where its motion is handed on. */
+Eigen::Index pointCount (const ChainElement& element, int degree, double angularFrequency)
+{
+    // The rule's widest gap is about pi/2 times its mean one. A gap g interpolates a wave of wave number k with an
+    // error of (k g)^4 / 384 of its amplitude, so k g < 0.0787 keeps it below 1e-7.
+    constexpr double gapsPerPhase = 1.571 / 0.0787;
+    const auto phase = bendingWaveNumber (element.section, angularFrequency) * element.length;
+    return std::max<Eigen::Index> (degree + 2, 1 + static_cast<Eigen::Index> (std::ceil (gapsPerPhase * phase)));
+}
+
+/** A rule for every element: that of its points on the surface, and elsewhere just its last end. */
+std::vector<QuadratureRule> surfaceRules (const ElementChain& chain, int degree, double angularFrequency)
+{
+    const QuadratureRule lastEnd { Eigen::VectorXd::Ones (1), Eigen::VectorXd::Zero (1) };
+    std::vector<QuadratureRule> rules;
+    std::transform (chain.elements.begin(), chain.elements.end(), std::back_inserter (rules),
+                    [&] (const ChainElement& element) {
+                        return element.onSurface ? gaussLobattoRule (pointCount (element, degree, angularFrequency))
+                                                 : lastEnd;
+                    });
+    return rules;
+}
+
+/** Room for all points; neighbouring elements share one. */
+void resize (ModalModel& model, const ElementChain& chain, const std::vector<QuadratureRule>& rules, Eigen::Index modes)
+{
+    Eigen::Index points = 1;
+
+    for (std::size_t e = 0; e < rules.size(); ++e)
+        if (chain.elements[e].onSurface)
+            points += rules[e].places.size() - 1;
+
+    model.surface.points = Eigen::MatrixX2d::Zero (points, 2);
+    model.surface.masses = Eigen::VectorXd::Zero (points);
+    model.surface.areas = Eigen::VectorXd::Zero (points);
+    model.shapes.resize (points, modes);
+    model.slopes.resize (points, modes);
+}
+
+/** Writes an element's points from the given row on; the first row is shared with the element before. */
+void writeElement (ModalModel& model, Eigen::Index row, const ChainElement& element, const QuadratureRule& rule,
+                   const ElementMotion& motion, double width)
+{
+    const auto count = rule.places.size();
+    const Eigen::VectorXd lengths = rule.weights * (element.length / 2);
+    model.surface.points.col (0).segment (row, count) =
+        (element.start + element.length / 2 * (rule.places.array() + 1)).matrix();
+    model.surface.masses.segment (row, count) += element.section.massPerLength * lengths;
+    model.surface.areas.segment (row, count) += width * lengths;
+    model.shapes.middleRows (row, count) = motion.transverse;
+    model.slopes.middleRows (row, count) = motion.slope;
+}
+} // namespace
+
+ModalModel makeModel (const ElementChain& chain, const ChainModes& modes, int degree, double angularFrequency,
+                      double width, const Eigen::VectorXd& momentsPerVolt)
+{
+    const auto rules = surfaceRules (chain, degree, angularFrequency);
+    std::vector<Eigen::VectorXd> places;
+    std::transform (rules.begin(), rules.end(), std::back_inserter (places),
+                    [] (const auto& rule) { return rule.places; });
+    const auto motion = ChainBasis (chain, degree).motion (modes.coefficients, places);
+
+    ModalModel model;
+    model.angularFrequencies = modes.angularFrequencies;
+    model.rigidBodyModes = modes.rigidBodyModes;
+    model.unknowns = static_cast<int> (modes.coefficients.rows());
+    model.participation = Eigen::MatrixXd::Zero (modes.angularFrequencies.size(), momentsPerVolt.size());
+    resize (model, chain, rules, modes.angularFrequencies.size());
+    Eigen::Index row = 0;
+
+    for (std::size_t e = 0; e < rules.size(); ++e)
+    {
+        const auto& element = chain.elements[e];
+        const auto& slope = motion.elements[e].slope;
+
+        if (! element.onSurface)
+            continue;
+
+        writeElement (model, row, element, rules[e], motion.elements[e], width);
+        row += rules[e].places.size() - 1;
+
+        if (element.ceramic)
+            model.participation.col (*element.ceramic) +=
+                momentsPerVolt[*element.ceramic] * (slope.row (slope.rows() - 1) - slope.row (0)).transpose();
+    }
+
+    model.surface.xMinimum = model.surface.points (0, 0);
+    model.surface.xMaximum = model.surface.points (row, 0);
+    settleSigns (model);
+    return model;
 }
 } // namespace antinode

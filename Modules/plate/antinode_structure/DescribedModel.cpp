@@ -1,7 +1,6 @@
 #include "DescribedModel.h"
 
-#include "Capacitance.h"
-#include "CeramicShapes.h"
+#include "DescribedCeramic.h"
 
 #include <antinode_numerics/Decompositions.h>
 

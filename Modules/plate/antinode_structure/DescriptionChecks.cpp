@@ -1,7 +1,7 @@
 #include "DescriptionChecks.h"
 
-#include "CeramicShapes.h"
-#include "SoftLayers.h"
+#include "DescribedCeramic.h"
+#include "PlateWaves.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_outline/OutlineChecks.h>

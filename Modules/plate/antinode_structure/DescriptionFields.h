@@ -2,8 +2,8 @@
 
 #include "DeviceDescription.h"
 
-#include <antinode_base/StructFields.h>
-#include <antinode_outline/OutlineFields.h>
+#include <antinode_base/Reflection.h>
+#include <antinode_outline/Outline.h>
 
 namespace antinode
 {

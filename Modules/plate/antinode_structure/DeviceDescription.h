@@ -1,6 +1,6 @@
 #pragma once
 
-#include "MaterialTypes.h"
+#include "Materials.h"
 
 #include <antinode_model/ModalModel.h>
 
@@ -219,4 +219,27 @@ Surface deviceExtent (const DeviceDescription&);
     @throws InputError  where the description cannot be solved, saying why; Cancelled as checkWatch()
     [worker] Docs/Theory.md, section 1. */
 ModalModel solveStructure (const DeviceDescription&, std::optional<int> modeCount = {});
+
+/** The word for a device's kind, as files and tables have it: "beam", "staple", "plate" or "modal"; of a measured one
+   that of its drawing. [any]
+ */
+const char* deviceKind (const DeviceDescription&);
+
+/** How many modes are solved at most: a beam of more has waves far shorter than thin-beam theory allows; of a plate the
+    memory ends it. */
+inline constexpr int maximumBeamModes = 200, maximumPlateModes = 500;
+
+/** How many modes of a plate are solved where nothing says how many. */
+inline constexpr int defaultPlateModes = 100;
+
+/** @throws InputError  where a plate cannot have so many modes solved [any] */
+void requirePlateModes (int count);
+
+/** The one of a device that is solved. [any] */
+inline int maximumModes (const DeviceDescription& device)
+{
+    const auto isPlate =
+        std::holds_alternative<PlateDescription> (device.body) || std::holds_alternative<OutlinedPlate> (device.body);
+    return isPlate ? maximumPlateModes : maximumBeamModes;
+}
 } // namespace antinode

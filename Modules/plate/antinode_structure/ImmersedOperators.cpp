@@ -1,11 +1,11 @@
 #include "ImmersedOperators.h"
 
-#include "CellFunctions.h"
-#include "EdgeTerms.h"
+#include "ImmersedSpace.h"
+#include "PlateSupports.h"
 
 #include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
-#include <antinode_numerics/GaussLegendre.h>
+#include <antinode_numerics/Quadrature.h>
 
 #include <algorithm>
 #include <array>

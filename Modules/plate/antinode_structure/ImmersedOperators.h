@@ -2,7 +2,7 @@
 
 #include "ImmersedSpace.h"
 
-#include <antinode_numerics/BlockBandedFactor.h>
+#include <antinode_numerics/BlockBandedMatrix.h>
 
 namespace antinode
 {

@@ -1,10 +1,12 @@
 #include "ImmersedSpace.h"
 
 #include <antinode_base/Watch.h>
+#include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace antinode
 {
@@ -287,5 +289,201 @@ BlockBandedMatrix ImmersedSpace::zeroMatrix() const
         reach.push_back (outer.lastNeighbour (o));
 
     return { blockSizes, reach };
+}
+
+namespace
+{
+double binomial (int n, int k)
+{
+    return k == 0 || k == n ? 1 : n; // Up to 3 over 1 and 2, which is all that is needed.
+}
+} // namespace
+
+CellFunctions::CellFunctions (const ImmersedSpace& space, const ImmersedCell& cell,
+                              const std::vector<Eigen::Vector2d>& placesToUse, int highest)
+    : places (placesToUse)
+{
+    const auto number = static_cast<Eigen::Index> (places.size());
+    Eigen::VectorXd x (number), y (number);
+
+    for (Eigen::Index i = 0; i < number; ++i)
+    {
+        x[i] = places[static_cast<std::size_t> (i)].x();
+        y[i] = places[static_cast<std::size_t> (i)].y();
+    }
+
+    for (int d = 0; d <= highest; ++d)
+    {
+        alongX.push_back (space.axisX.onCell (cell.column, x, d).values);
+        alongY.push_back (space.axisY.onCell (cell.row, y, d).values);
+    }
+
+    const auto addFunctions = [&] (const std::vector<Eigen::Index>& unknownOf, const KinkFunction* kink)
+    {
+        for (Eigen::Index j = 0; j < space.countY[static_cast<std::size_t> (cell.row)]; ++j)
+            for (Eigen::Index i = 0; i < space.countX[static_cast<std::size_t> (cell.column)]; ++i)
+                if (const auto unknown = unknownOf[static_cast<std::size_t> (
+                        space.tensorIndex (space.firstX[static_cast<std::size_t> (cell.column)] + i,
+                                           space.firstY[static_cast<std::size_t> (cell.row)] + j))];
+                    unknown >= 0)
+                {
+                    members.push_back ({ i, j, kink });
+                    numbers.push_back (unknown);
+                }
+    };
+
+    addFunctions (space.unknownOf, nullptr);
+
+    // Where a kink's function is 0, all that it is a factor of are.
+    for (const auto& family : space.families)
+        if (std::any_of (places.begin(), places.end(),
+                         [&] (const Eigen::Vector2d& place) { return family.kink (place) > 0; }))
+            addFunctions (family.unknownOf, &family.kink);
+}
+
+Eigen::VectorXd CellFunctions::kinkDerivative (const KinkFunction& kink, int dx, int dy) const
+{
+    Eigen::VectorXd result = Eigen::VectorXd::Zero (static_cast<Eigen::Index> (places.size()));
+
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+        const Eigen::Vector2d offset = places[i] - kink.centre;
+        const auto s = kink (places[i]);
+
+        if (s <= 0)
+            continue;
+
+        // Of s^2, whose second derivatives are the same along x and y, and 0 across.
+        const Eigen::Vector2d slope = kink.gradient + kink.curvature * offset;
+        const auto along = dx >= dy ? slope.x() : slope.y(), across = dx >= dy ? slope.y() : slope.x();
+        const auto most = std::max (dx, dy), least = std::min (dx, dy);
+        const auto value = most == 0                 ? s * s
+                           : most == 1 && least == 0 ? 2 * s * along
+                           : most == 1               ? 2 * along * across
+                           : most == 2 && least == 0 ? 2 * (along * along + s * kink.curvature)
+                           : most == 2 && least == 1 ? 2 * across * kink.curvature
+                           : most == 3 && least == 0 ? 6 * along * kink.curvature
+                                                     : 0;
+        result[static_cast<Eigen::Index> (i)] = value;
+    }
+
+    return result;
+}
+
+Eigen::MatrixXd CellFunctions::derivative (int dx, int dy) const
+{
+    Eigen::MatrixXd result (static_cast<Eigen::Index> (places.size()), static_cast<Eigen::Index> (members.size()));
+    writeDerivative (dx, dy, result);
+    return result;
+}
+
+void CellFunctions::writeDerivative (int dx, int dy, Eigen::Ref<Eigen::MatrixXd> result) const
+{
+    const KinkFunction* last = nullptr;
+    std::vector<Eigen::VectorXd> factors; // Of the kink's derivatives, i along x and j along y.
+
+    for (std::size_t m = 0; m < members.size(); ++m)
+    {
+        const auto& member = members[m];
+        auto column = result.col (static_cast<Eigen::Index> (m));
+        const auto product = [&] (int x, int y)
+        {
+            return alongX[static_cast<std::size_t> (x)]
+                .col (member.ofX)
+                .cwiseProduct (alongY[static_cast<std::size_t> (y)].col (member.ofY));
+        };
+
+        if (member.kink == nullptr)
+        {
+            column = product (dx, dy);
+            continue;
+        }
+
+        if (member.kink != last)
+        {
+            factors.clear();
+            last = member.kink;
+
+            for (int j = 0; j <= dy; ++j)
+                for (int i = 0; i <= dx; ++i)
+                    factors.emplace_back (binomial (dx, i) * binomial (dy, j) * kinkDerivative (*last, i, j));
+        }
+
+        auto factor = factors.cbegin();
+
+        for (int j = 0; j <= dy; ++j)
+            for (int i = 0; i <= dx; ++i, ++factor)
+                if (i == 0 && j == 0)
+                    column = factor->cwiseProduct (product (dx, dy));
+                else
+                    column += factor->cwiseProduct (product (dx - i, dy - j));
+    }
+}
+
+// What functions of the space are at places: the fields of its coefficients.
+const ImmersedCell* ImmersedSpace::cellAt (double xPlace, double yPlace) const
+{
+    const auto place = axisX.cellAt (xPlace) + axisY.cellAt (yPlace) * axisX.cells();
+    const auto number = cellNumber[static_cast<std::size_t> (place)];
+    return number < 0 ? nullptr : &activeCells[static_cast<std::size_t> (number)];
+}
+
+const ImmersedCell* ImmersedSpace::cellNear (double xPlace, double yPlace) const
+{
+    constexpr double little = 1e-9; // Of a cell.
+    const auto alongX = little * axisX.cellLength (axisX.cellAt (xPlace));
+    const auto alongY = little * axisY.cellLength (axisY.cellAt (yPlace));
+
+    for (const auto right : { 0, 1, -1 })
+        for (const auto up : { 0, 1, -1 })
+            if (const auto* cell = cellAt (xPlace + right * alongX, yPlace + up * alongY))
+                return cell;
+
+    return nullptr;
+}
+
+Eigen::VectorXd ImmersedSpace::plane (double c, double a, double b) const
+{
+    Eigen::VectorXd coefficients = Eigen::VectorXd::Zero (count);
+
+    for (Eigen::Index j = 0; j < axisY.size(); ++j)
+        for (Eigen::Index i = 0; i < axisX.size(); ++i)
+            if (const auto number = unknownOf[static_cast<std::size_t> (tensorIndex (i, j))]; number >= 0)
+                coefficients[number] = c + a * axisX.centre (i) + b * axisY.centre (j);
+
+    return coefficients;
+}
+
+Eigen::MatrixXd ImmersedSpace::evaluate (const Eigen::MatrixX2d& places, const Eigen::MatrixXd& coefficients, int dx,
+                                         int dy) const
+{
+    Eigen::MatrixXd fields = Eigen::MatrixXd::Zero (places.rows(), coefficients.cols());
+    std::vector<std::vector<Eigen::Index>> rowsOf (activeCells.size());
+
+    for (Eigen::Index p = 0; p < places.rows(); ++p)
+        if (const auto* const cell = cellNear (places (p, 0), places (p, 1)))
+            rowsOf[static_cast<std::size_t> (cell - activeCells.data())].push_back (p);
+
+    for (std::size_t c = 0; c < activeCells.size(); ++c)
+    {
+        const auto& rows = rowsOf[c];
+
+        if (rows.empty())
+            continue;
+
+        checkWatch();
+        std::vector<Eigen::Vector2d> here;
+
+        for (const auto row : rows)
+            here.emplace_back (places.row (row).transpose());
+
+        const CellFunctions functions (*this, activeCells[c], here, std::max (dx, dy));
+        const Eigen::MatrixXd local = coefficients (functions.unknowns(), Eigen::all);
+        Eigen::MatrixXd values = Eigen::MatrixXd::Zero (static_cast<Eigen::Index> (rows.size()), coefficients.cols());
+        addProduct (values, 1, functions.derivative (dx, dy), local);
+        fields (rows, Eigen::all) = values;
+    }
+
+    return fields;
 }
 } // namespace antinode

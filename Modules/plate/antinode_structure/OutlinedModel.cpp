@@ -2,16 +2,15 @@
 
 #include "DescribedModel.h"
 #include "DescriptionChecks.h"
-#include "FrequencyCorrection.h"
-#include "ModeLimits.h"
-#include "OutlinedDamping.h"
-#include "OutlinedErrors.h"
+#include "DeviceDescription.h"
+#include "OutlinedGrid.h"
+#include "OutlinedProblem.h"
 #include "PlateWaves.h"
 
-#include "StaticRest.h"
+#include "StaticShare.h"
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
-#include <antinode_outline/OutlineShapes.h>
+#include <antinode_base/MessageText.h>
+#include <antinode_outline/PathBuilder.h>
 
 #include <algorithm>
 #include <utility>

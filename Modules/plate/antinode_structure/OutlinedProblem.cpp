@@ -1,7 +1,8 @@
 #include "OutlinedProblem.h"
 
-#include "CeramicPatches.h"
-#include "ModeLimits.h"
+#include "BendingProblem.h"
+#include "CeramicBond.h"
+#include "DeviceDescription.h"
 #include "PlateWaves.h"
 
 #include <antinode_base/InputError.h>
@@ -15,6 +16,77 @@ namespace antinode
 {
 namespace
 {
+BendingPatch patchOf (const CeramicDescription& ceramic)
+{
+    switch (ceramic.shape)
+    {
+        case CeramicShape::rectangle:
+            return rectanglePatch (ceramic.centre(), { ceramic.sizeX, ceramic.sizeY }, ceramic.angle);
+        case CeramicShape::disc:
+            return discPatch (ceramic.centre(), ceramic.sizeX / 2);
+        case CeramicShape::ring:
+            return ringPatch (ceramic.centre(), ceramic.sizeX / 2, ceramic.innerDiameter / 2);
+    }
+
+    return {};
+}
+
+/** What one section has more than another. */
+BendingSection difference (const LayeredSection& with, const LayeredSection& without)
+{
+    return { (with.stiffness - without.stiffness).real(), with.massPerArea - without.massPerArea };
+}
+} // namespace
+
+BendingSection bendingSection (const PlateSection& section)
+{
+    BendingSection result;
+    result.stiffness << section.d11, section.d12, 0, section.d12, section.d22, 0, 0, 0, section.d66;
+    result.massPerArea = section.massPerArea;
+    return result;
+}
+
+std::vector<BendingPatch> ceramicPatches (const StructureCommon& common, const CeramicDescription& ceramic)
+{
+    const auto with = sectionWith (common, ceramic, ceramic.angle);
+    auto patch = patchOf (ceramic);
+
+    if (! ceramic.carrier)
+    {
+        const auto bond = ceramicBond (common, ceramic, ceramic.angle);
+        const auto& everywhere = bond ? bond->loose : with;
+        patch.added = difference (everywhere, bareStack (common));
+        patch.added.rotaryInertia = addedRotaryInertia (common, ceramic);
+        patch.moment = everywhere.momentPerVolt.real();
+
+        if (bond)
+            patch.bonded = bond->part;
+
+        return { patch };
+    }
+
+    // With larger cells than on other patches frequencies change by 1e-5, and there may be dozens of benders.
+    constexpr double coarser = 1.4;
+    const auto carrier = sectionWith (common, ceramic, 0, { false, true });
+    const auto bond = ceramicBond (common, ceramic, 0, false);
+    auto inner = discPatch (ceramic.centre(), ceramic.carrier->ceramicDiameter / 2);
+    auto driven = discPatch (ceramic.centre(), ceramic.carrier->electrodeDiameter / 2);
+    patch.added = difference (bond ? bond->loose : carrier, bareStack (common));
+    patch.added.rotaryInertia = addedRotaryInertia (common, ceramic, false);
+    inner.added = difference (with, carrier);
+    inner.added.rotaryInertia = addedRotaryInertia (common, ceramic) - patch.added.rotaryInertia;
+
+    if (bond)
+        patch.bonded = bond->part;
+
+    patch.kinks.front().width = inner.kinks.front().width = coarser * ceramic.sizeX / 2;
+    driven.moment = with.momentPerVolt.real();
+    driven.kinks.clear(); // Only what stiffens bends a mode.
+    return { patch, inner, driven };
+}
+
+namespace
+{
 EdgeSupport supportOf (const PlateEdge& edge)
 {
     const auto isClamped = edge.condition == EdgeCondition::clamped;
@@ -22,7 +94,7 @@ EdgeSupport supportOf (const PlateEdge& edge)
              edge.rotation };
 }
 
-BendingPatch patchOf (const PlateArea& area)
+BendingPatch areaPatch (const PlateArea& area)
 {
     BendingPatch patch;
     patch.outline = area.outline;
@@ -48,7 +120,7 @@ OutlinedProblem inSi (const OutlinedPlate& plate)
             result.ceramicOfPatch.push_back (i);
         }
 
-    std::transform (plate.areas.begin(), plate.areas.end(), std::back_inserter (problem.patches), patchOf);
+    std::transform (plate.areas.begin(), plate.areas.end(), std::back_inserter (problem.patches), areaPatch);
 
     for (const auto& point : plate.points)
         problem.points.push_back ({ { point.x, point.y }, point.stiffness, point.mass });
@@ -201,5 +273,40 @@ OutlinedSolution solveOutlinedModes (const OutlinedPlate& plate, std::optional<i
     const auto highest = angularFrequencies[angularFrequencies.size() - 1];
     const auto waveNumber = largestWaveNumberAt (plate.common, highest) * scaled.length;
     return { std::move (scaled), std::move (modes), resolution, std::move (angularFrequencies), waveNumber };
+}
+
+namespace
+{
+/** Cells by a factor larger everywhere: those at corners are shares of the largest. */
+ImmersedResolution coarserThan (ImmersedResolution resolution)
+{
+    constexpr double factor = 1.4;
+    resolution.cell *= factor;
+    resolution.holeCell *= factor;
+    resolution.patchCell *= factor;
+    return resolution;
+}
+
+/** What Nitsche's penalty leaves on cells of any size: measured, Docs/Design/outlines.md. */
+double leftByPenalty (const BendingProblem& problem)
+{
+    constexpr double rounding = 1e-9, ofDisplacement = 2e-8, ofSlope = 5e-7;
+    double left = rounding;
+
+    for (const auto& edge : problem.edges)
+        left = std::max (left, edge.holdsSlope ? ofSlope : edge.holdsDisplacement ? ofDisplacement : rounding);
+
+    return left;
+}
+} // namespace
+
+Eigen::VectorXd frequencyErrors (const OutlinedSolution& solution)
+{
+    const auto& fine = solution.modes.eigenvalues;
+    const auto coarse =
+        bendingModes (solution.scaled.problem, static_cast<int> (fine.size()), coarserThan (solution.resolution))
+            .eigenvalues;
+    const auto differences = (coarse.cwiseQuotient (fine).cwiseSqrt().array() - 1).abs();
+    return (differences + leftByPenalty (solution.scaled.problem)).matrix();
 }
 } // namespace antinode

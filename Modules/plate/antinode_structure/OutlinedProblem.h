@@ -1,13 +1,22 @@
 #pragma once
 
-#include "DeviceDescription.h"
-
 #include "BendingModes.h"
+#include "BendingProblem.h"
+#include "DeviceDescription.h"
+#include "PlateSection.h"
 
 #include <optional>
 
 namespace antinode
 {
+/** A section as the solver of outlined plates wants it, SI. [any] */
+BendingSection bendingSection (const PlateSection&);
+
+/** What a ceramic adds to a plate of any outline, and where, SI: one patch or several, each with the edges that bend
+   the plate and its moment per volt, which are added up. The kind of ceramic decides; the solver knows patches only.
+   [any] Docs/Theory.md, section 1.13. */
+std::vector<BendingPatch> ceramicPatches (const StructureCommon&, const CeramicDescription&);
+
 /** The bending of an outlined plate in units in which its size, stiffness and mass per area are 1. */
 struct OutlinedProblem
 {
@@ -41,4 +50,11 @@ struct OutlinedSolution
     @throws InputError  when the plate cannot be solved, saying why
     [worker] Docs/Theory.md, section 1.13. */
 OutlinedSolution solveOutlinedModes (const OutlinedPlate&, std::optional<int> modeCount);
+
+/** Estimated relative errors of the frequencies of a solution, from a second one on cells that are larger everywhere:
+   at corners, holes and patches, too.
+    @return  one value a mode, positive
+    @throws InputError  where the plate cannot be solved on larger cells
+    [worker] Docs/Theory.md, section 1.13. */
+Eigen::VectorXd frequencyErrors (const OutlinedSolution&);
 } // namespace antinode

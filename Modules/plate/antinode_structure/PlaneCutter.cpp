@@ -1,6 +1,6 @@
 #include "PlaneCutter.h"
 
-#include <antinode_numerics/GaussLegendre.h>
+#include <antinode_numerics/Quadrature.h>
 
 #include <algorithm>
 #include <array>

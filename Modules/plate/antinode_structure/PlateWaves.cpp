@@ -1,8 +1,7 @@
 #include "PlateWaves.h"
 
-#include "CeramicShapes.h"
-#include "SoftLayers.h"
-#include "ThickPlates.h"
+#include "DescribedCeramic.h"
+#include "PlateSection.h"
 
 #include <Eigen/Core>
 
@@ -14,6 +13,104 @@
 
 namespace antinode
 {
+namespace
+{
+LossyFrequency waveAt (const StructureCommon& common, double waveNumber)
+{
+    if (hasSoftLayers (common))
+        return lossyFrequencyAt (common, waveNumber);
+
+    return { mindlinFrequencyAt (common, waveNumber), 0 };
+}
+
+/** The wave number of a frequency, by bisection between octaves: frequencies ascend with it. */
+double waveNumberOf (const StructureCommon& common, double angularFrequency)
+{
+    double low = std::sqrt (angularFrequency / thinWaveFactor (common)), high = low;
+
+    while (waveAt (common, low).angularFrequency > angularFrequency)
+        low /= 2;
+
+    while (waveAt (common, high).angularFrequency < angularFrequency)
+        high *= 2;
+
+    constexpr double exact = 1e-9;
+
+    while (high / low > 1 + exact)
+    {
+        const auto middle = std::sqrt (low * high);
+        (waveAt (common, middle).angularFrequency > angularFrequency ? high : low) = middle;
+    }
+
+    return high;
+}
+
+/** The moment per volt of each ceramic, the sum of both directions, with soft layers taken at a reference; 1 N/V where
+   it has none. */
+Eigen::ArrayXXd momentsAt (StructureCommon common, const SectionReference& reference)
+{
+    common.reference = reference;
+    Eigen::ArrayXXd moments (1, static_cast<Eigen::Index> (common.ceramics.size()));
+
+    for (std::size_t i = 0; i < common.ceramics.size(); ++i)
+    {
+        const auto moment = ceramicSection (common, common.ceramics[i]);
+        const auto sum = moment.momentX + moment.momentY;
+        moments (0, static_cast<Eigen::Index> (i)) = sum == 0 ? 1 : sum;
+    }
+
+    return moments;
+}
+} // namespace
+
+bool needsCorrection (const StructureCommon& common)
+{
+    return hasSoftLayers (common) || common.theory == BendingTheory::thick;
+}
+
+StructureCommon asSolved (StructureCommon common, double waveNumber)
+{
+    if (! needsCorrection (common))
+        return common;
+
+    std::optional<double> highest;
+
+    if (common.maximumFrequency)
+        highest = waveNumberOf (common, 2 * std::numbers::pi * *common.maximumFrequency);
+
+    if (hasSoftLayers (common))
+    {
+        const auto middle = highest ? *highest / 2 : waveNumber;
+        common.reference = { middle, lossyFrequencyAt (common, middle).angularFrequency };
+    }
+
+    if (highest)
+        common.maximumFrequency = *highest * *highest * thinWaveFactor (common) / (2 * std::numbers::pi);
+
+    return common;
+}
+
+void correctFrequencies (ModalModel& model, const StructureCommon& common)
+{
+    if (! needsCorrection (common))
+        return;
+
+    const auto factor = thinWaveFactor (common);
+    const auto solvedMoments = momentsAt (common, common.reference);
+
+    for (Eigen::Index k = 0; k < model.modes(); ++k)
+    {
+        const auto waveNumber = std::sqrt (model.angularFrequencies[k] / factor);
+        const auto corrected = waveAt (common, waveNumber);
+        model.angularFrequencies[k] = corrected.angularFrequency;
+        model.dampingRatios[k] += corrected.lossFactor / 2;
+
+        if (hasSoftLayers (common))
+            model.participation.row (k).array() *=
+                momentsAt (common, { waveNumber, corrected.angularFrequency }) / solvedMoments;
+    }
+}
+
 namespace
 {
 using std::numbers::pi;
@@ -147,5 +244,73 @@ std::vector<std::string> thicknessWarnings (const StructureCommon& common, const
             2 * pi / (waveNumber * common.thickness), 100 * largestExcess (common, highest));
 
     return { text.data() };
+}
+
+namespace
+{
+StructureCommon referredTo (StructureCommon common, double waveNumber, double angularFrequency)
+{
+    common.ceramics.clear();
+    common.reference = { waveNumber, angularFrequency };
+    return common;
+}
+} // namespace
+
+bool hasSoftLayers (const StructureCommon& common)
+{
+    return std::any_of (common.layers.begin(), common.layers.end(),
+                        [] (const LayerDescription& layer)
+                        { return std::holds_alternative<ViscoelasticMaterial> (layer.material); });
+}
+
+std::complex<double> stiffnessAt (const StructureCommon& common, double waveNumber, double angularFrequency)
+{
+    const auto stiffness = bareStack (referredTo (common, waveNumber, angularFrequency)).stiffness;
+    return std::sqrt (stiffness (0, 0)) * std::sqrt (stiffness (1, 1));
+}
+
+LossyFrequency lossyFrequencyAt (const StructureCommon& common, double waveNumber)
+{
+    constexpr double converged = 1e-13;
+    constexpr int steps = 200;
+    const auto factor = std::pow (waveNumber, 4) / bareStack (common).massPerArea;
+    double angularFrequency = std::sqrt (factor * stiffnessAt (common, waveNumber, 1).real());
+
+    // A modulus grows at most as the frequency, stiffness and square of the frequency less: each step is nearer.
+    for (int i = 0; i < steps; ++i)
+    {
+        const auto next = std::sqrt (factor * stiffnessAt (common, waveNumber, angularFrequency).real());
+        const auto change = std::abs (next / angularFrequency - 1);
+        angularFrequency = next;
+
+        if (change < converged)
+            break;
+    }
+
+    const auto stiffness = stiffnessAt (common, waveNumber, angularFrequency);
+    return { angularFrequency, stiffness.imag() / stiffness.real() };
+}
+
+namespace
+{
+constexpr double shearFactor = 5.0 / 6;
+} // namespace
+
+double thinWaveFactor (const StructureCommon& common)
+{
+    const auto section = bareSection (common);
+    return std::sqrt (std::sqrt (section.d11 * section.d22) / section.massPerArea);
+}
+
+double mindlinFrequencyAt (const StructureCommon& common, double waveNumber)
+{
+    const auto mass = bareSection (common).massPerArea;
+    const auto inertia = mass * common.thickness * common.thickness / 12;
+    const auto shear = shearFactor * common.material.shearModulus * common.thickness;
+    const auto k2 = waveNumber * waveNumber, bending = mass * std::pow (thinWaveFactor (common), 2) * k2;
+
+    // (S k^2 - m w^2) (D k^2 + S - I w^2) = S^2 k^2: the lower root, without cancellation.
+    const auto a = mass * inertia, b = mass * (bending + shear) + inertia * shear * k2, c = shear * k2 * bending;
+    return std::sqrt (2 * c / (b + std::sqrt (b * b - 4 * a * c)));
 }
 } // namespace antinode

@@ -1,16 +1,15 @@
-#include "CeramicShapes.h"
-#include "ChainModel.h"
-#include "DescribedChain.h"
+#include "ChainModes.h"
+#include "DescribedCeramic.h"
 #include "DescribedModel.h"
 #include "DescriptionChecks.h"
 #include "DeviceDescription.h"
+#include "ElementChain.h"
 #include "MeasuredModel.h"
-#include "ModeLimits.h"
 #include "OutlinedModel.h"
 #include "SolvedPlate.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 
 #include <algorithm>
 #include <limits>

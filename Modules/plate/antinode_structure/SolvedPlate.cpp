@@ -2,10 +2,8 @@
 
 #include "DescribedModel.h"
 #include "DescriptionChecks.h"
+#include "DeviceDescription.h"
 #include "ElementChain.h"
-#include "FrequencyCorrection.h"
-#include "GridPlaces.h"
-#include "ModeLimits.h"
 #include "PlateWaves.h"
 
 #include <antinode_base/Watch.h>
@@ -18,6 +16,19 @@
 
 namespace antinode
 {
+int placesForPhase (double phase, int fewest)
+{
+    constexpr double tolerance = 3e-5; // of the amplitude
+    double error = 1;
+    auto count = 0;
+
+    // The error of interpolation through n places is about (phase / 4)^n / n!.
+    while (error > tolerance || count < fewest)
+        error *= phase / 4 / ++count;
+
+    return count;
+}
+
 namespace
 {
 GridAxis makeGridAxis (const Eigen::VectorXd& lines, double unit, double waveNumber)

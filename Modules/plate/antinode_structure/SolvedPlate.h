@@ -4,6 +4,10 @@
 
 namespace antinode
 {
+/** The number of Gauss's and Legendre's places that represent a wave of a phase, rad, over their segment to 3e-5 of its
+   amplitude. [any] Docs/Theory.md, section 1.5. */
+int placesForPhase (double phase, int fewest);
+
 /** The modal model of a solved plate: frequencies, participations, and shapes on a grid of Gauss's and Legendre's
    places whose segments end where the section changes, so that weights are exact and polynomials give the shapes in
    between: as many places as a 3e-5th of a wave's amplitude takes at the highest mode. Each shape is positive where it

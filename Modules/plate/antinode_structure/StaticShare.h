@@ -1,10 +1,18 @@
 #pragma once
 
+#include "BendingModes.h"
 #include "DeviceDescription.h"
 #include "PlateSolution.h"
 
 namespace antinode
 {
+/** The modes and, for every patch with a moment, one more shape behind them, so that together they have the whole
+   static deflection under these moments, but for rigid motions. Those shapes are right far below their frequencies
+   only.
+    @throws InputError  where the modes are too few for what they leave to be found
+    [worker] Docs/Theory.md, section 1.8. */
+BendingModes withStaticRest (const BendingProblem&, BendingModes);
+
 /** The static deflection of a plate under one volt on each ceramic: all modes at once, without rigid motions.
     @return  unknowns x N_b: coefficients of splines, m/V
     [worker] Docs/Theory.md, section 1.8. */

@@ -2,7 +2,7 @@
 
 #include <antinode_base/Watch.h>
 #include <antinode_numerics/DenseKernels.h>
-#include <antinode_numerics/GaussLegendre.h>
+#include <antinode_numerics/Quadrature.h>
 
 #include <algorithm>
 #include <cmath>

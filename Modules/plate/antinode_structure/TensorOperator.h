@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_numerics/BlockBandedFactor.h>
+#include <antinode_numerics/BlockBandedMatrix.h>
 #include <antinode_numerics/SplineAxis.h>
 
 #include <functional>

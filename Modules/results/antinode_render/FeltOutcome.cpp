@@ -1,10 +1,10 @@
 #include "FeltOutcome.h"
 
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_base/Watch.h>
-#include <antinode_fingers/FeltMotion.h>
-#include <antinode_focus/SearchPlaces.h>
+#include <antinode_fingers/Sensation.h>
+#include <antinode_focus/PeakSearch.h>
 #include <antinode_numerics/DenseKernels.h>
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <antinode_engine/OfflineRender.h>
-#include <antinode_fingers/SkinThreshold.h>
+#include <antinode_fingers/Sensation.h>
 #include <antinode_focus/FocusDescription.h>
 #include <antinode_model/ModalModel.h>
 

@@ -2,7 +2,7 @@
 
 #include "RenderedFocus.h"
 
-#include <antinode_focus/WideDesign.h>
+#include <antinode_focus/SpillOver.h>
 
 #include <cstddef>
 #include <functional>

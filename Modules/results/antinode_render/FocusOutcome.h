@@ -2,7 +2,10 @@
 
 #include "RenderedFocus.h"
 
-#include <antinode_focus/ExpectedError.h>
+#include <antinode_engine/LagFilters.h>
+#include <antinode_focus/Tolerance.h>
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>
@@ -47,4 +50,10 @@ std::string sideLobeInWords (const RenderedFocus&, const FocusOutcome&);
 
 /** The same at any time, with the time from the focus. [any] */
 std::string elsewhereInWords (const RenderedFocus&, const FocusOutcome&);
+
+/** What undoing lags costs, in one line. [any] */
+std::string lagsInWords (const UndoneLags&);
+
+/** As summary.json has it. [any] Docs/FileFormats.md. */
+nlohmann::ordered_json lagJson (const UndoneLags&);
 } // namespace antinode

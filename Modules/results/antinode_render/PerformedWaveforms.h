@@ -1,12 +1,11 @@
 #pragma once
 
 #include "FeltOutcome.h"
-#include "FocusPower.h"
 #include "PlayedTracks.h"
-#include "TrackCorrection.h"
-#include "TrackScores.h"
+#include "PowerFlow.h"
 
 #include <antinode_engine/LagFilters.h>
+#include <antinode_focus/FocusDesign.h>
 #include <antinode_tracks/TrackDesign.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -72,4 +71,12 @@ std::string trackVoltsInWords (const PerformedWaveforms&);
 
 /** As summary.json has it. [any] Docs/FileFormats.md. */
 nlohmann::ordered_json performedToJson (const PerformedWaveforms&);
+
+/** Waveforms at fingers as a design that can be written and played as a focus is. Its trigger is the first sample; its
+    target is the fastest motion that any track wants, at its finger; the fingers rest on the surface, and whoever
+    designs the target again does not know of them.
+    @param own  the device's own modes, without fingers
+    @throws InputError  where a track is longer than a focus may be
+    [worker] Docs/Design/tracks.md */
+FocusDesign performedDesign (const PerformedWaveforms&, const ModalModel& own);
 } // namespace antinode

@@ -1,11 +1,13 @@
 #include "PowerFlow.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_base/Watch.h>
 #include <antinode_engine/PlateModel.h>
 #include <antinode_numerics/Fourier.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -240,5 +242,179 @@ PowerFlow powerFlow (const ModalModel& model, const Eigen::MatrixXd& voltages, P
     flow.peakCurrent = currents.maxCoeff();
     flow.peakPower = powers.maxCoeff();
     return flow;
+}
+
+namespace
+{
+/** Heat that leaves by one face only: the other is glued to the body, which takes heat away as well, so the ceramic
+   stays cooler. */
+double estimatedWarming (double heat, double area)
+{
+    return area > 0 ? heat / (heatTransfer * area) : 0;
+}
+
+RepeatedCeramic repeatedCeramic (const CeramicFlow& flow, double area, double rate)
+{
+    RepeatedCeramic result;
+    result.rmsVoltage = std::sqrt (flow.voltageSquaredTime * rate);
+    result.rmsCurrent = std::sqrt (flow.currentSquaredTime * rate);
+    result.realPower = (flow.drawn - flow.returned) * rate;
+    const auto apparent = result.rmsVoltage * result.rmsCurrent;
+    result.reactivePower = std::sqrt (std::max (0.0, apparent * apparent - result.realPower * result.realPower));
+    result.dielectricPower = flow.dielectricLoss * rate;
+    result.warming = estimatedWarming (result.dielectricPower, area);
+    return result;
+}
+} // namespace
+
+RepeatedPower repeatedPower (const ModalModel& model, const PowerFlow& flow, double rate)
+{
+    if (! (rate >= 1e-6 && rate <= 1e6))
+        throw InputError ("repetition rate", "is " + inWords (rate) + " per second; allowed: 0.000001 to 1000000");
+
+    constexpr auto sensing = 0.1; // of the voltage, across the capacitor of a charge amplifier
+    RepeatedPower result;
+    result.rate = rate;
+    result.overlaps = flow.duration * rate > 1;
+
+    for (std::size_t i = 0; i < flow.ceramics.size(); ++i)
+    {
+        const auto& ceramic = flow.ceramics[i];
+        result.ceramics.push_back (repeatedCeramic (ceramic, model.ceramics[i].area, rate));
+        result.realPower += result.ceramics.back().realPower;
+        result.reactivePower += result.ceramics.back().reactivePower;
+        // A rail gives the current whichever way the energy goes.
+        result.linear.supply += model.ceramics[i].voltageLimit * ceramic.currentMagnitudeTime * rate;
+        result.switching.supply += (ceramic.drawn / recoveryEfficiency - ceramic.returned * recoveryEfficiency) * rate;
+    }
+
+    result.charge.supply = result.linear.supply * (1 + sensing);
+
+    for (auto* const amplifier : { &result.linear, &result.switching, &result.charge })
+        amplifier->heat = amplifier->supply - result.realPower;
+
+    return result;
+}
+
+std::string amplifierAdvice (const RepeatedPower& power)
+{
+    const auto perChannel = power.linear.heat / static_cast<double> (std::max<std::size_t> (1, power.ceramics.size()));
+    const auto linear = inWords (perChannel) + " W of heat per channel";
+
+    if (perChannel <= modestHeat)
+        return "A linear amplifier (class B) does: " + linear
+               + ". A charge amplifier does too, and makes the motion follow more exactly at high fields.";
+
+    return "A linear amplifier (class B) needs a heat sink for " + linear
+           + "; a switching amplifier that takes the energy back (class D) turns "
+           + inWords (power.switching.heat / static_cast<double> (power.ceramics.size())) + " W per channel into heat.";
+}
+
+namespace
+{
+nlohmann::ordered_json ceramicToJson (const Ceramic& ceramic, const CeramicFlow& once, const RepeatedCeramic& repeated)
+{
+    nlohmann::ordered_json json { { "name", ceramic.name },
+                                  { "capacitance_nF", ceramic.capacitance * nano },
+                                  { "loss_factor", ceramic.lossFactor },
+                                  { "peak_voltage_V", once.peakVoltage },
+                                  { "peak_slew_V_per_us", once.peakSlew / micro },
+                                  { "peak_current_mA", once.peakCurrent * milli },
+                                  { "peak_charge_uC", once.peakCharge * micro },
+                                  { "energy_drawn_uJ", once.drawn * micro },
+                                  { "energy_returned_uJ", once.returned * micro },
+                                  { "dielectric_loss_uJ", once.dielectricLoss * micro },
+                                  { "work_on_motion_uJ", once.work * micro },
+                                  { "rms_voltage_V", repeated.rmsVoltage },
+                                  { "rms_current_mA", repeated.rmsCurrent * milli },
+                                  { "real_power_mW", repeated.realPower * milli },
+                                  { "reactive_power_mvar", repeated.reactivePower * milli },
+                                  { "dielectric_power_mW", repeated.dielectricPower * milli } };
+
+    if (ceramic.area > 0)
+        json["warming_estimate_K"] = repeated.warming;
+
+    return json;
+}
+
+nlohmann::ordered_json amplifierToJson (const AmplifierPower& amplifier)
+{
+    return { { "supply_mW", amplifier.supply * milli }, { "heat_mW", amplifier.heat * milli } };
+}
+
+/** The ceramic with the largest amount. */
+std::size_t largestBy (const std::vector<CeramicFlow>& ceramics, double CeramicFlow::*amount)
+{
+    const auto less = [amount] (const auto& a, const auto& b) { return a.*amount < b.*amount; };
+    return static_cast<std::size_t> (std::max_element (ceramics.begin(), ceramics.end(), less) - ceramics.begin());
+}
+} // namespace
+
+FocusPower focusPower (const ModalModel& model, const Eigen::MatrixXd& voltages, Playback playback, double repetitions)
+{
+    FocusPower power;
+    power.obstacle = powerObstacle (model);
+
+    if (power.obstacle.empty())
+        power.once = powerFlow (model, voltages, playback);
+
+    power.repeated = repeatedPower (model, power.once, repetitions);
+    return power;
+}
+
+nlohmann::ordered_json powerToJson (const ModalModel& model, const FocusPower& power)
+{
+    if (! power.obstacle.empty())
+        return { { "unknown", power.obstacle } };
+
+    const auto& once = power.once;
+    const auto& repeated = power.repeated;
+    nlohmann::ordered_json json { { "per_focus",
+                                    { { "electrical_in_uJ", once.electricalIn() * micro },
+                                      { "drawn_uJ", once.drawn() * micro },
+                                      { "returned_uJ", once.returned() * micro },
+                                      { "dielectric_loss_uJ", once.dielectricLoss() * micro },
+                                      { "mechanical_loss_uJ", once.mechanicalLoss * micro },
+                                      { "stored_at_end_uJ", once.storedAtEnd() * micro },
+                                      { "peak_energy_of_motion_uJ", once.peakMotion * micro },
+                                      { "imbalance", once.imbalance() },
+                                      { "peak_current_mA", once.peakCurrent * milli },
+                                      { "peak_power_mW", once.peakPower * milli } } },
+                                  { "repeated",
+                                    { { "per_second", repeated.rate },
+                                      { "overlapping", repeated.overlaps },
+                                      { "real_power_mW", repeated.realPower * milli },
+                                      { "reactive_power_mvar", repeated.reactivePower * milli } } },
+                                  { "amplifier",
+                                    { { "linear_class_B", amplifierToJson (repeated.linear) },
+                                      { "switching_class_D", amplifierToJson (repeated.switching) },
+                                      { "charge", amplifierToJson (repeated.charge) },
+                                      { "advice", amplifierAdvice (repeated) } } } };
+
+    for (std::size_t i = 0; i < once.ceramics.size(); ++i)
+        json["ceramics"].push_back (ceramicToJson (model.ceramics[i], once.ceramics[i], repeated.ceramics[i]));
+
+    return json;
+}
+
+std::vector<std::string> powerInWords (const ModalModel& model, const FocusPower& power)
+{
+    if (! power.obstacle.empty())
+        return { "unknown: " + power.obstacle };
+
+    const auto& once = power.once;
+    const auto& repeated = power.repeated;
+    const auto most = largestBy (once.ceramics, &CeramicFlow::peakCurrent);
+    const auto slewest = largestBy (once.ceramics, &CeramicFlow::peakSlew);
+    const auto often = " at " + inWords (repeated.rate) + " foci per second";
+    return { inWords (once.ceramics[most].peakCurrent * milli) + " mA at most (" + model.ceramics[most].name + "), "
+                 + inWords (once.peakCurrent * milli) + " mA in all; "
+                 + inWords (repeated.ceramics[most].rmsCurrent * milli) + " mA RMS" + often + "; slew at most "
+                 + inWords (once.ceramics[slewest].peakSlew / micro) + " V/us",
+             inWords (once.electricalIn() * micro) + " uJ per focus, " + inWords (once.dielectricLoss() * micro)
+                 + " uJ of them heat the ceramics; " + inWords (repeated.realPower * milli) + " mW and "
+                 + inWords (repeated.reactivePower * milli) + " mvar" + often
+                 + (repeated.overlaps ? ", which overlap: added as if they did not" : ""),
+             amplifierAdvice (repeated) };
 }
 } // namespace antinode

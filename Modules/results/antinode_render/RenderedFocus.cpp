@@ -1,7 +1,7 @@
 #include "RenderedFocus.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_focus/EventPeak.h>
 #include <antinode_focus/TargetField.h>
 

@@ -1,12 +1,11 @@
 #pragma once
 
 #include "FeltOutcome.h"
-#include "FocusPower.h"
+#include "PowerFlow.h"
 
 #include <antinode_engine/LagFilters.h>
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_fingers/OneSidedContact.h>
-#include <antinode_focus/FieldPeak.h>
 #include <antinode_focus/FocusDesign.h>
 #include <antinode_focus/FocusScore.h>
 #include <antinode_focus/SpillOver.h>

@@ -1,6 +1,6 @@
 #include "AnnotationDrawing.h"
 
-#include "Curve.h"
+#include "CurveDrawing.h"
 #include "Lettering.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace
 {
 constexpr auto limitGap = 5.0f;
 
-float rowHeight (const Theme& theme)
+float labelRowHeight (const Theme& theme)
 {
     return theme.tickHeight * 1.2f;
 }
@@ -56,7 +56,7 @@ int markerRows (const std::vector<Marker>& markers)
 float heightAbove (const std::vector<Marker>& markers, const std::vector<Span>& spans, const Theme& theme)
 {
     const auto rows = markerRows (markers) + (anyLabel (spans) ? 1 : 0);
-    return static_cast<float> (rows) * rowHeight (theme) + (rows > 0 ? 3.0f : 0.0f);
+    return static_cast<float> (rows) * labelRowHeight (theme) + (rows > 0 ? 3.0f : 0.0f);
 }
 
 float widthBeside (const std::vector<LimitLine>& limits, const Theme& theme)
@@ -70,7 +70,7 @@ float widthBeside (const std::vector<LimitLine>& limits, const Theme& theme)
 
 float markerRowBottom (const PlotFrame& frame, const std::vector<Span>& spans, const Theme& theme)
 {
-    return frame.plot.getY() - 3 - (anyLabel (spans) ? rowHeight (theme) : 0);
+    return frame.plot.getY() - 3 - (anyLabel (spans) ? labelRowHeight (theme) : 0);
 }
 
 void drawSpans (juce::Graphics& g, const PlotFrame& frame, const std::vector<Span>& spans, const Theme& theme)
@@ -89,7 +89,8 @@ void drawSpans (juce::Graphics& g, const PlotFrame& frame, const std::vector<Spa
         const auto labelLeft = (left + right - width) / 2;
         if (labelLeft < filledTo)
             continue;
-        drawText (g, span.label, { labelLeft, frame.plot.getY() - 2 - rowHeight (theme), width, rowHeight (theme) },
+        drawText (g, span.label,
+                  { labelLeft, frame.plot.getY() - 2 - labelRowHeight (theme), width, labelRowHeight (theme) },
                   juce::Justification::centred, style);
         filledTo = labelLeft + width + 5;
     }
@@ -112,13 +113,13 @@ void drawMarkers (juce::Graphics& g, const PlotFrame& frame, const std::vector<M
         const auto left = std::clamp (x - width / 2, frame.plot.getX() - 20,
                                       std::max (frame.plot.getX(), frame.plot.getRight() + 10 - width));
         const auto row = rows.rowFor (left, left + width);
-        const auto bottom = firstRowBottom - static_cast<float> (std::max (0, row)) * rowHeight (theme);
+        const auto bottom = firstRowBottom - static_cast<float> (std::max (0, row)) * labelRowHeight (theme);
         // From the plot's edge only: a line up to the second row would cross names in the first.
         const CurvePiece line { { x, frame.plot.getY() }, { x, frame.plot.getBottom() } };
         drawCurve (g, line, { theme.background.withAlpha (0.5f), 3.0f, LineStyle::solid });
         drawCurve (g, line, { theme.text.withAlpha (0.75f), 1.2f, LineStyle::dashed });
         if (row >= 0)
-            drawText (g, marker.label, { left, bottom - rowHeight (theme), width, rowHeight (theme) },
+            drawText (g, marker.label, { left, bottom - labelRowHeight (theme), width, labelRowHeight (theme) },
                       juce::Justification::centred, style);
     }
 }

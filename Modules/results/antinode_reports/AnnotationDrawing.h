@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Annotations.h"
+#include "Chart.h"
 #include "PlotFrame.h"
 
 #include <vector>

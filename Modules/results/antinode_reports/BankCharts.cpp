@@ -1,7 +1,9 @@
 #include "BankCharts.h"
 
-#include "Numbers.h"
 #include "PlateCharts.h"
+#include "Ticks.h"
+
+#include <antinode_base/Prefixes.h>
 
 #include <algorithm>
 #include <limits>
@@ -11,7 +13,6 @@ namespace antinode
 {
 namespace
 {
-constexpr double milli = 1e3;
 constexpr auto missing = std::numeric_limits<double>::quiet_NaN();
 
 double orMissing (double volts)

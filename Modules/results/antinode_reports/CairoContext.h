@@ -1,12 +1,12 @@
 #pragma once
 
-#include "VectorContext.h"
-
 #include "Lettering.h"
 #include "Typefaces.h"
+#include "VectorContext.h"
 
 #include <cairo.h>
 
+#include <memory>
 #include <vector>
 
 namespace antinode
@@ -71,4 +71,35 @@ private:
     std::vector<State> saved;
     std::vector<float> layerOpacities;
 };
+
+/** The compiled-in fonts for Cairo, which embeds what is used of them. */
+class CairoFonts
+{
+public:
+    /** [worker] */
+    static const CairoFonts& shared();
+
+    /** Draws a text with Cairo's source. [worker] */
+    void show (cairo_t*, const PlacedText&) const;
+
+private:
+    class Font;
+
+    CairoFonts();
+    ~CairoFonts();
+
+    std::unique_ptr<Font> regular, bold;
+};
+
+/** Releases what Cairo counts. */
+struct CairoRelease
+{
+    void operator() (cairo_t* cairo) const { cairo_destroy (cairo); }
+    void operator() (cairo_surface_t* surface) const { cairo_surface_destroy (surface); }
+    void operator() (cairo_pattern_t* pattern) const { cairo_pattern_destroy (pattern); }
+};
+
+using CairoDrawing = std::unique_ptr<cairo_t, CairoRelease>;
+using CairoSurface = std::unique_ptr<cairo_surface_t, CairoRelease>;
+using CairoPattern = std::unique_ptr<cairo_pattern_t, CairoRelease>;
 } // namespace antinode

@@ -1,6 +1,6 @@
 #include "IdentificationTables.h"
 
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 
 #include <algorithm>
 #include <array>

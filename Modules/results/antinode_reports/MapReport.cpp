@@ -1,7 +1,7 @@
 #include "MapReport.h"
 
 #include "PlateCharts.h"
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
 
 #include <algorithm>

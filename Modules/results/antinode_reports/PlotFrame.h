@@ -1,10 +1,13 @@
 #pragma once
 
+#include "Chart.h"
 #include "Theme.h"
 #include "Ticks.h"
 
+#include <Eigen/Core>
 #include <juce_graphics/juce_graphics.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -77,4 +80,30 @@ juce::Rectangle<float> drawTitle (juce::Graphics&, juce::Rectangle<float> area, 
 /** A straight line along whole pixels. [any] */
 void drawHorizontal (juce::Graphics&, float y, float fromX, float toX, float thickness = 1);
 void drawVertical (juce::Graphics&, float x, float fromY, float toY, float thickness = 1);
+
+/** The finite values among these: the range with them included, nothing if there are none at all.
+    @param positiveOnly  leaves out values that a logarithmic axis cannot show [any] */
+std::optional<AxisRange> including (std::optional<AxisRange>, const Eigen::Ref<const Eigen::VectorXd>& values,
+                                    bool positiveOnly = false);
+
+/** The x range of the curves, or nothing. [any] */
+std::optional<AxisRange> xDataRange (const LineChart&);
+
+/** The y range of curves, limits and fillings, or nothing. [any] */
+std::optional<AxisRange> yDataRange (const LineChart&);
+
+/** The y range of bars and limits, or nothing. [any] */
+std::optional<AxisRange> yDataRange (const BarChart&);
+
+/** Both together. [any] */
+std::optional<AxisRange> united (std::optional<AxisRange>, std::optional<AxisRange>);
+
+/** A y range with nice ends; whole decades on a logarithmic axis. [any] */
+AxisRange niceDataRange (std::optional<AxisRange>, bool logarithmic);
+
+/** @throws InputError  where a series has not as many x as y [any] */
+void requireMatchingSizes (const LineChart&);
+
+/** @throws InputError  where a series has not one value for each category [any] */
+void requireMatchingSizes (const BarChart&);
 } // namespace antinode

@@ -1,6 +1,9 @@
 #pragma once
 
 #include "Chart.h"
+#include "ChartFile.h"
+
+#include <antinode_text/OutputFolder.h>
 
 #include <string>
 #include <vector>
@@ -68,4 +71,20 @@ struct ReportPage
     @throws InputError  what renderPng() throws
     [worker] */
 std::string renderReport (const ReportPage&);
+
+/** A figure of a report and the name of its file without the ending: its section and its place in it, as in
+    "figure-voltages-1". */
+struct NamedFigure
+{
+    std::string name;
+    const ReportFigure* figure = nullptr;
+};
+
+/** All figures of a page, which outlives them. [any] */
+std::vector<NamedFigure> namedFigures (const ReportPage&);
+
+/** Writes all figures of a page for print, on as many threads as the machine has.
+    @throws InputError  what renderVector() and OutputFolder throw
+    [worker] */
+void writeFigures (OutputFolder&, const ReportPage&, VectorFormat);
 } // namespace antinode

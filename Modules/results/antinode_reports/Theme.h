@@ -1,7 +1,6 @@
 #pragma once
 
-#include "Annotations.h"
-#include "ColourMap.h"
+#include "Chart.h"
 
 #include <juce_graphics/juce_graphics.h>
 
@@ -9,6 +8,20 @@
 
 namespace antinode
 {
+/** Colours for values from 0 to 1, from few evenly spaced stops, mixed in Oklab so that equal steps look equal. */
+class ColourMap
+{
+public:
+    /** @param stops  2 or more */
+    explicit ColourMap (const std::vector<juce::Colour>& stops);
+
+    /** The colour of a value; values outside 0 to 1 get the ends. [any] */
+    juce::Colour at (double value) const;
+
+private:
+    std::vector<juce::Colour> table;
+};
+
 /** The look of all drawings: one value for the screen, the report and print. Sizes in pixels at scale 1.
     The series' colours are those of Okabe and Ito ("Color Universal Design", 2008), distinguished with every kind of
    colour vision, made darker or lighter where the background needs it. */

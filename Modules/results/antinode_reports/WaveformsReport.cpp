@@ -1,8 +1,8 @@
 #include "WaveformsReport.h"
 
-#include "FeltSection.h"
+#include "FieldFigures.h"
 
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_numerics/Fourier.h>
 

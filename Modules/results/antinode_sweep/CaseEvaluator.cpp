@@ -1,11 +1,11 @@
 #include "CaseEvaluator.h"
 
-#include "FocusStudy.h"
+#include "CaseStudies.h"
 #include "SweepCases.h"
-#include "WaveformsStudy.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_text/JsonText.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +15,35 @@
 
 namespace antinode
 {
+CaseKeys keysOf (const CaseKeys& all, std::string_view prefix)
+{
+    CaseKeys some;
+
+    for (const auto& [key, value] : all)
+        if (key.starts_with (prefix))
+            some.emplace_back (key.substr (prefix.size()), value);
+
+    return some;
+}
+
+std::string textOf (const CaseKeys& keys)
+{
+    std::string text;
+
+    for (const auto& [key, value] : keys)
+        text += key + "=" + value.dump() + "\n";
+
+    return text;
+}
+
+nlohmann::json assigned (nlohmann::json document, const CaseKeys& keys)
+{
+    for (const auto& [key, value] : keys)
+        applyAssignment (document, key + "=" + value.dump());
+
+    return document;
+}
+
 namespace
 {
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();

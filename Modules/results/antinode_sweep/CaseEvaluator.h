@@ -1,14 +1,56 @@
 #pragma once
 
-#include "CaseStudy.h"
+#include "Deviation.h"
+#include "PartFolder.h"
 #include "SweepInputs.h"
-#include "SweepPart.h"
 
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace antinode
 {
+/** The keys of a case with their values. */
+using CaseKeys = std::vector<std::pair<std::string, nlohmann::json>>;
+
+/** What the cases of a plan are about: how keys come to results. Used by any number of threads; the same keys give the
+    same results, whatever was asked before. */
+class CaseStudy
+{
+public:
+    virtual ~CaseStudy() = default;
+
+    /** Reads the documents with these keys. @throws InputError  where they are wrong [worker] */
+    virtual void check (const CaseKeys&) const = 0;
+
+    /** What summary.json says of a case.
+        @param seed  of what is drawn of its deviation
+        @throws InputError  where it cannot be computed
+        [worker] */
+    virtual nlohmann::ordered_json summary (const CaseKeys&, const Deviation&, std::uint64_t seed) const = 0;
+};
+
+/** How many of what cases share a study keeps, the latest: memory does not grow. */
+inline constexpr std::size_t devicesToKeep = 2, designsToKeep = 8;
+
+/** The key of a summary under which what is recorded at the points of a plan lies. */
+inline constexpr auto pointKey = "field_at_points_mm_s";
+
+/** The keys that begin so, without their beginning: those of one document. [any] */
+CaseKeys keysOf (const CaseKeys&, std::string_view prefix);
+
+/** Keys and values as one text, for what depends on them. [any] */
+std::string textOf (const CaseKeys&);
+
+/** A document with its keys. @throws InputError  where there is no place for one [worker] */
+nlohmann::json assigned (nlohmann::json, const CaseKeys&);
+
 /** Computes cases of a plan, on any number of threads. What several cases share, devices and designs, is made once. The
    same case gives the same numbers, whatever was computed before. */
 class CaseEvaluator

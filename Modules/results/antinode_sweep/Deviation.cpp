@@ -1,10 +1,9 @@
 #include "Deviation.h"
 
 #include "Distribution.h"
-#include "Philox.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/WordList.h>
+#include <antinode_base/Reflection.h>
 #include <antinode_focus/Detuning.h>
 #include <antinode_text/JsonReader.h>
 

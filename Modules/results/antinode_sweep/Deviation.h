@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_focus/DetuningSpread.h>
+#include <antinode_focus/Detuning.h>
 #include <antinode_model/ModalModel.h>
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "SweepPart.h"
+#include "SweepInputs.h"
 
-#include <antinode_numerics/EvaluatedCases.h>
+#include <antinode_numerics/ParallelFor.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -13,6 +13,42 @@
 
 namespace antinode
 {
+/** What became of a case. */
+struct CaseResult
+{
+    std::vector<double> values; ///< Of all columns; NaN where there is none.
+    std::string error;          ///< Why there are none; empty where there are.
+};
+
+/** Cases that follow each other, which are computed and kept together. */
+struct SweepPart
+{
+    std::uint64_t first = 0, count = 0;
+};
+
+/** Of bytes and the version of the program: 32 hexadecimal digits. [worker] */
+std::string hashOf (std::string bytes);
+
+/** A few cases to many, so that there are some 500 parts and a part is at most 10 000 cases. They depend on the number
+   of cases alone, whoever computes them. [any] */
+std::vector<SweepPart> sweepParts (std::uint64_t cases);
+
+/** The results of a part, as bytes. @param hash  of all that the cases depend on [worker] */
+std::string encodePart (const std::string& hash, std::uint64_t first, const std::vector<CaseResult>&);
+
+/** What a part's bytes hold. */
+struct DecodedPart
+{
+    std::string hash;
+    std::uint64_t first = 0;
+    std::vector<CaseResult> results;
+};
+
+/** Reads what encodePart gave, from bytes of anybody.
+    @throws InputError  when they are damaged
+    [worker] */
+DecodedPart decodePart (std::string_view bytes);
+
 /** Some of the parts of a sweep: every so many-th. */
 struct SweepShard
 {
@@ -88,4 +124,9 @@ std::vector<CaseResult> computePart (const EvaluateCase&, SweepPart, const std::
     [worker] */
 void computeParts (const EvaluateCase&, const PartFolder&, const std::vector<std::size_t>& parts, std::size_t threads,
                    const ShowCases& show);
+
+/** A folder that keeps a plan, as plan.json, with its parts. It is made where it is missing.
+    @throws InputError  when it cannot be written or belongs to another plan
+    [worker] */
+PartFolder sweepFolder (const std::filesystem::path&, const SweepInputs&);
 } // namespace antinode

@@ -3,7 +3,7 @@
 #include "PartFolder.h"
 
 #include <antinode_documents/DesignFile.h>
-#include <antinode_documents/ModelFields.h>
+#include <antinode_documents/FieldStream.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "SweepCases.h"
 
-#include "Philox.h"
+#include "Distribution.h"
 
 #include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>

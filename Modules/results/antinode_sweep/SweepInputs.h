@@ -2,6 +2,8 @@
 
 #include "SweepPlan.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <filesystem>
 #include <string>
 
@@ -29,4 +31,12 @@ SweepInputs sweepInputs (nlohmann::json, const std::filesystem::path& file);
     @throws InputError  as readJsonFile, readSweepPlan and loadDocument
     [worker] */
 SweepInputs loadSweep (const std::filesystem::path&);
+
+/** A document of waveforms that needs no other file: each signal of kind "wav" as one of kind "samples". What is no
+   such document stays as it is.
+    @param source  how errors name it
+    @param folder  where the names of recordings begin
+    @throws InputError  as readRecording
+    [worker] */
+nlohmann::json withRecordings (nlohmann::json, const std::string& source, const std::filesystem::path& folder);
 } // namespace antinode

@@ -2,6 +2,8 @@
 
 #include "Distribution.h"
 
+#include <antinode_text/JsonReader.h>
+
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
@@ -64,4 +66,15 @@ inline constexpr std::size_t maximumSweepColumns = 1000;
     @throws InputError  source, JSON pointer, what is wrong, what is allowed
     [worker] */
 SweepPlan readSweepPlan (const nlohmann::json&, const std::string& source);
+
+/** A key as --set has it, or one of a deviation. @param value  whose place errors name
+    @throws InputError  when it is neither [worker] */
+std::string readSweptKey (const JsonValue& value, const std::string& key);
+
+/** A value of a key: no list and no object, which would change the document's shape.
+    @throws InputError  when it is one [worker] */
+const nlohmann::json& readScalar (const JsonValue&, const nlohmann::json& json);
+
+/** An entry of "vary". @param json  the same value @throws InputError  as readSweepPlan [worker] */
+SweptKeys readSweptKeys (const JsonValue&, const nlohmann::json& json);
 } // namespace antinode

@@ -1,7 +1,7 @@
 #include "Design.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_documents/DesignFile.h>
 #include <antinode_documents/Inputs.h>

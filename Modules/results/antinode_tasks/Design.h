@@ -2,10 +2,10 @@
 
 #include "DeviceChecks.h"
 
-#include <antinode_base/ShowProgress.h>
+#include <antinode_base/Progress.h>
 #include <antinode_fingers/Finger.h>
 #include <antinode_focus/FocusDescription.h>
-#include <antinode_render/FocusPower.h>
+#include <antinode_render/PowerFlow.h>
 #include <antinode_structure/DeviceDescription.h>
 
 #include <memory>

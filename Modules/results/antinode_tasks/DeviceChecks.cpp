@@ -2,10 +2,9 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
-#include <antinode_base/NumberText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_documents/Inputs.h>
-#include <antinode_model/BoundedSurface.h>
+#include <antinode_model/Surface.h>
 #include <antinode_outline/Drawing.h>
 
 #include <utility>

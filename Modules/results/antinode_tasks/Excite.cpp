@@ -1,7 +1,7 @@
 #include "Excite.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_documents/ExcitationFolder.h>
+#include <antinode_documents/ExcitationFile.h>
 #include <antinode_documents/Library.h>
 #include <antinode_text/WaveFile.h>
 

@@ -2,7 +2,7 @@
 
 #include "Field.h"
 
-#include <antinode_base/ShowProgress.h>
+#include <antinode_base/Progress.h>
 #include <antinode_documents/ExcitationFile.h>
 #include <antinode_model/ModalModel.h>
 #include <antinode_structure/DeviceDescription.h>

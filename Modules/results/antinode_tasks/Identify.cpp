@@ -4,16 +4,14 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
-#include <antinode_base/NumberText.h>
-#include <antinode_documents/ChangedDevice.h>
-#include <antinode_documents/IdentifiedDevice.h>
 #include <antinode_documents/Inputs.h>
 #include <antinode_documents/Library.h>
+#include <antinode_documents/MeasuredDevice.h>
 #include <antinode_documents/UniversalModes.h>
 #include <antinode_identification/IdentifiedModel.h>
+#include <antinode_identification/ImpulseResponses.h>
 #include <antinode_identification/MeasuredQuantity.h>
-#include <antinode_identification/RecordEffects.h>
-#include <antinode_model/BoundedSurface.h>
+#include <antinode_model/Surface.h>
 #include <antinode_reports/IdentificationDiagram.h>
 #include <antinode_responses/MeasurementReader.h>
 #include <antinode_responses/PointsFile.h>
@@ -134,15 +132,15 @@ IdentificationOptions toIdentificationOptions (const IdentifyRequest& request, E
     return search;
 }
 
-constexpr const char* ascending = "two ascending numbers, for example 300:4000";
+constexpr const char* ascendingPair = "two ascending numbers, for example 300:4000";
 constexpr const char* ascendingWhole = "two ascending whole numbers, for example 3:18";
 
 /** Two ascending numbers. */
-FrequencyBand bandOf (const std::vector<double>& numbers)
+FrequencyBand bandFrom (const std::vector<double>& numbers)
 {
     if (! (numbers[0] >= 0 && numbers[0] < numbers[1]))
         throw InputError ("--band", "is " + inWords (numbers[0]) + ":" + inWords (numbers[1])
-                                        + "; allowed: " + std::string (ascending));
+                                        + "; allowed: " + std::string (ascendingPair));
 
     return { numbers[0], numbers[1] };
 }
@@ -290,10 +288,10 @@ std::vector<Field> fields (IdentifyRequest& request)
             .as ("full_scale_V")
             .positive()
             .by ("that of the computed device, else the voltage limit"),
-        Field (
-            "--band",
-            NumberRows { ascending, 2, 2, true, [r] (const auto& numbers) { r->bands.push_back (bandOf (numbers)); } },
-            "Frequency band, Hz, for example 300:4000; modes are searched in each of several bands separately")
+        Field ("--band",
+               NumberRows { ascendingPair, 2, 2, true,
+                            [r] (const auto& numbers) { r->bands.push_back (bandFrom (numbers)); } },
+               "Frequency band, Hz, for example 300:4000; modes are searched in each of several bands separately")
             .as ("bands_Hz")
             .written ("MIN:MAX", ':'),
         Field (

@@ -2,7 +2,7 @@
 
 #include "Field.h"
 
-#include <antinode_base/ShowProgress.h>
+#include <antinode_base/Progress.h>
 #include <antinode_identification/Identification.h>
 #include <antinode_reports/IdentificationReport.h>
 #include <antinode_structure/DeviceDescription.h>

@@ -3,8 +3,8 @@
 #include "DeviceChecks.h"
 
 #include <antinode_base/WholeFile.h>
-#include <antinode_documents/ChangedDevice.h>
 #include <antinode_documents/DeviceFile.h>
+#include <antinode_documents/MeasuredDevice.h>
 
 #include <nlohmann/json.hpp>
 

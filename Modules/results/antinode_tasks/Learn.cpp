@@ -4,14 +4,13 @@
 #include "LearnFiles.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_bench/Bench.h>
 #include <antinode_bench/PlayPasses.h>
-#include <antinode_bench/SimulatedBenchPlayer.h>
 #include <antinode_engine/LagFilters.h>
 #include <antinode_focus/Detuning.h>
 #include <antinode_focus/DriveAllocation.h>
-#include <antinode_learning/UsualDeviations.h>
-#include <antinode_model/IdleCeramics.h>
-#include <antinode_model/ShapesAtPlaces.h>
+#include <antinode_learning/ModeSpread.h>
+#include <antinode_model/ModalModel.h>
 
 #include <algorithm>
 #include <memory>

@@ -2,7 +2,7 @@
 
 #include "BenchFields.h"
 
-#include <antinode_base/ShowProgress.h>
+#include <antinode_base/Progress.h>
 #include <antinode_focus/FocusDescription.h>
 #include <antinode_learning/LearningPasses.h>
 #include <antinode_measurement/SimulatedBench.h>

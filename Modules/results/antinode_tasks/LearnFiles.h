@@ -4,6 +4,7 @@
 
 #include <antinode_engine/LagFilters.h>
 #include <antinode_learning/LearningPasses.h>
+#include <antinode_reports/Report.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -40,4 +41,10 @@ std::string learntDeviceText (const LearntDevice&);
     @throws InputError  when the folder cannot be written
     [worker] Docs/FileFormats.md. */
 void writeLearnt (const std::filesystem::path& folder, const LearntDevice&);
+
+/** The report of passes of learning: the field error of each, what was learnt of each mode with the deviations before
+   and after, and what the data could not tell.
+    @param nominal  as it was before
+    @param before   what was known then [any] */
+ReportPage learningReport (const LearntFocus&, const WideModel& nominal, const ModeSpread& before);
 } // namespace antinode

@@ -1,7 +1,7 @@
 #include "Map.h"
 
 #include "DeviceChecks.h"
-#include "FieldNames.h"
+#include "Field.h"
 
 #include <antinode_documents/SkinThresholds.h>
 #include <antinode_numerics/ParallelFor.h>

@@ -3,8 +3,8 @@
 #include "DeviceChecks.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_bench/Bench.h>
 #include <antinode_bench/Measuring.h>
-#include <antinode_bench/SimulatedBenchPlayer.h>
 #include <antinode_reports/MeasurementReport.h>
 #include <antinode_responses/UniversalFile.h>
 #include <antinode_responses/UniversalResponses.h>

@@ -3,7 +3,7 @@
 #include "BenchFields.h"
 #include "Excite.h"
 
-#include <antinode_bench/PointGuide.h>
+#include <antinode_bench/Measuring.h>
 #include <antinode_measurement/RunAnalysis.h>
 #include <antinode_measurement/SimulatedBench.h>
 #include <antinode_measurement/SurfaceMeasurement.h>

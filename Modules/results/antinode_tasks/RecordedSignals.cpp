@@ -1,8 +1,8 @@
 #include "RecordedSignals.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
-#include <antinode_text/WaveReader.h>
+#include <antinode_base/MessageText.h>
+#include <antinode_text/WaveFile.h>
 
 namespace antinode
 {

@@ -2,7 +2,7 @@
 
 #include "Field.h"
 
-#include <antinode_measurement/RunRecording.h>
+#include <antinode_measurement/RunAnalysis.h>
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include "Retune.h"
 
-#include <antinode_documents/ChangedDevice.h>
 #include <antinode_documents/Library.h>
+#include <antinode_documents/MeasuredDevice.h>
 #include <antinode_responses/MeasurementReader.h>
 #include <antinode_text/NaturalOrder.h>
 

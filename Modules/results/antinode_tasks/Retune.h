@@ -2,7 +2,7 @@
 
 #include "Field.h"
 
-#include <antinode_base/ShowProgress.h>
+#include <antinode_base/Progress.h>
 #include <antinode_learning/Retuning.h>
 #include <antinode_responses/MeasuredResponse.h>
 #include <antinode_structure/DeviceDescription.h>

@@ -1,6 +1,6 @@
 #include "SweptFiles.h"
 
-#include "FieldNames.h"
+#include "Field.h"
 
 #include <antinode_reports/SweepReport.h>
 #include <antinode_text/OutputFolder.h>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <antinode_sweep/SweepSummary.h>
 #include <antinode_sweep/SweepTable.h>
 
 #include <filesystem>

@@ -1,9 +1,9 @@
 #include "Tolerance.h"
 
-#include <antinode_base/NumberText.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_documents/ToleranceFile.h>
 #include <antinode_focus/DesignFocus.h>
-#include <antinode_focus/ExpectedError.h>
+#include <antinode_focus/Tolerance.h>
 #include <antinode_reports/ToleranceReport.h>
 #include <antinode_sweep/ResumableTolerance.h>
 

@@ -2,8 +2,8 @@
 
 #include "Design.h"
 
-#include <antinode_base/ShowProgress.h>
-#include <antinode_focus/DesignTolerance.h>
+#include <antinode_base/Progress.h>
+#include <antinode_focus/Tolerance.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <filesystem>

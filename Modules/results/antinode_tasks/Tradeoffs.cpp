@@ -1,11 +1,10 @@
 #include "Tradeoffs.h"
 
-#include "FieldNames.h"
+#include "Field.h"
 
 #include <antinode_documents/Library.h>
 #include <antinode_documents/SkinThresholds.h>
 #include <antinode_focus/LimitUse.h>
-#include <antinode_reports/FeltTradeoffReport.h>
 #include <antinode_reports/TradeoffReport.h>
 #include <antinode_text/OutputFolder.h>
 

@@ -1,6 +1,6 @@
 #include "Interruption.h"
 
-#include <antinode_base/Processes.h>
+#include <antinode_base/System.h>
 
 #include <atomic>
 #include <chrono>

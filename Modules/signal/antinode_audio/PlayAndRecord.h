@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_engine/SafetyRamp.h>
+#include <antinode_engine/VoltageLimiter.h>
 
 #include <Eigen/Core>
 #include <juce_audio_devices/juce_audio_devices.h>

@@ -4,7 +4,10 @@
 
 #include <antinode_audio/AudioChoice.h>
 #include <antinode_audio/PlayAndRecord.h>
+#include <antinode_documents/ExcitationFile.h>
+#include <antinode_model/ModalModel.h>
 
+#include <string>
 #include <vector>
 
 namespace antinode
@@ -59,4 +62,12 @@ private:
     std::vector<int> openOutputs, openInputs; ///< Ascending.
     double outputFullScale, velocity;
 };
+
+/** What to connect, to check with meter and scope, and to expect, before a device is measured: numbered steps with the
+   numbers of this device, lines of text.
+    @param points  N_p x 2, m; the first is where the sensor's signal is predicted
+    @throws InputError  where the first point lies outside the surface, or as simulateBench
+    [worker] Docs/Manual/measuring.md. */
+std::string benchChecklist (const ModalModel&, const ExcitationSheet&, const Eigen::MatrixX2d& points,
+                            const BenchChannels&, const SensorScale&);
 } // namespace antinode

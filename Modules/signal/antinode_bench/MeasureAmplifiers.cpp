@@ -4,7 +4,7 @@
 #include <antinode_base/Watch.h>
 #include <antinode_measurement/RunAnalysis.h>
 #include <antinode_numerics/Fourier.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,17 +2,133 @@
 
 #include <antinode_audio/Interruption.h>
 #include <antinode_base/InputError.h>
-#include <antinode_base/NumberText.h>
-#include <antinode_base/TimeLeft.h>
+#include <antinode_base/MessageText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_base/Progress.h>
 #include <antinode_base/Watch.h>
+#include <antinode_base/WholeFile.h>
+#include <antinode_documents/ExcitationFile.h>
+#include <antinode_responses/PointResponseFile.h>
+#include <antinode_text/CsvText.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <iostream>
+#include <utility>
 
 namespace antinode
 {
+namespace
+{
+constexpr const char* pointsFile = "points.csv";
+constexpr const char* sheetFile = "excitation.json";
+constexpr const char* signalFile = "signal.wav";
+
+std::string pointsText (const Eigen::MatrixX2d& points)
+{
+    constexpr int digits = 12;
+    std::string text = "x_mm,y_mm\n";
+
+    for (Eigen::Index p = 0; p < points.rows(); ++p)
+    {
+        appendCsvNumber (text, points (p, 0) * 1000, digits);
+        text += ',';
+        appendCsvNumber (text, points (p, 1) * 1000, digits);
+        text += '\n';
+    }
+
+    return text;
+}
+} // namespace
+
+MeasurementFolder::MeasurementFolder (std::filesystem::path folderToUse, const ExcitationSheet& sheet,
+                                      const Eigen::MatrixX2d& points)
+    : folder (std::move (folderToUse))
+{
+    const auto sheetText = excitationToJson (sheet, signalFile).dump (2) + "\n", places = pointsText (points);
+
+    if (std::error_code unknown; std::filesystem::exists (folder / sheetFile, unknown))
+    {
+        if (readWholeFile (folder / sheetFile, {}) != sheetText || readWholeFile (folder / pointsFile, {}) != places)
+            throw InputError (folder.string(),
+                              "contains a measurement with another excitation or other points; choose another folder");
+
+        return;
+    }
+
+    OutputFolder output (folder);
+    output.write (pointsFile, places);
+    writeSheet (output, sheet);
+    output.commit();
+}
+
+std::filesystem::path MeasurementFolder::pointFile (Eigen::Index point) const
+{
+    std::array<char, 32> name {};
+    std::snprintf (name.data(), name.size(), "point-%04td.uff", point + 1);
+    return folder / name.data();
+}
+
+bool MeasurementFolder::has (Eigen::Index point) const
+{
+    return std::filesystem::exists (pointFile (point));
+}
+
+void MeasurementFolder::keep (const SurfaceMeasurement& measurement, Eigen::Index point) const
+{
+    writeWholeFile (pointFile (point), encodePoint (measurement, point));
+}
+
+void MeasurementFolder::restore (SurfaceMeasurement& measurement, Eigen::Index point) const
+{
+    const auto file = pointFile (point);
+    restorePoint (measurement, point, readWholeFile (file, {}), file.string());
+}
+
+namespace
+{
+} // namespace
+
+PointAnswer PointGuide::ask (const Eigen::MatrixX2d& places, Eigen::Index first, Eigen::Index count) const
+{
+    std::string answer;
+
+    while (! silent)
+    {
+        for (auto p = first; p < first + count; ++p)
+            std::printf ("point %td of %td: %.6g, %.6g mm\n", p + 1, places.rows(), places (p, 0) * milli,
+                         places (p, 1) * milli);
+
+        std::printf ("Enter measures, s skips, r repeats the previous point, q ends for now: ");
+        std::fflush (stdout);
+
+        if (! std::getline (std::cin, answer) || answer == "q")
+            return PointAnswer::end;
+
+        if (answer == "s")
+            return PointAnswer::skip;
+
+        if (answer == "r")
+            return PointAnswer::again;
+
+        if (answer.empty())
+            break;
+    }
+
+    return PointAnswer::measure;
+}
+
+void PointGuide::tell (const std::string& sentence) const
+{
+    if (listener)
+        return listener (sentence);
+
+    std::printf ("%s\n", sentence.c_str());
+    std::fflush (stdout);
+}
+
 namespace
 {
 constexpr double clipping = 0.999; // of full scale

@@ -1,13 +1,83 @@
 #pragma once
 
 #include "Bench.h"
-#include "MeasurementFolder.h"
-#include "PointGuide.h"
 
+#include <Eigen/Core>
+#include <antinode_documents/ExcitationFile.h>
 #include <antinode_measurement/RunAnalysis.h>
+#include <antinode_measurement/SurfaceMeasurement.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <utility>
 
 namespace antinode
 {
+/** A measurement on disk: its sheet, its points, and a file for each point that is finished. An interrupted measurement
+   is resumed where it ended. */
+class MeasurementFolder
+{
+public:
+    /** Starts a measurement, or resumes the existing one.
+        @param points  N_p x 2, m
+        @throws InputError  where the folder holds another measurement or cannot be written [worker] */
+    MeasurementFolder (std::filesystem::path, const ExcitationSheet&, const Eigen::MatrixX2d& points);
+
+    /** Whether a point is finished. [worker] */
+    bool has (Eigen::Index point) const;
+
+    /** Stores the results at a point. @throws InputError  where it cannot be written [worker] */
+    void keep (const SurfaceMeasurement&, Eigen::Index point) const;
+
+    /** Restores a stored point. @throws InputError  if keep did not write it [worker] */
+    void restore (SurfaceMeasurement&, Eigen::Index point) const;
+
+private:
+    std::filesystem::path pointFile (Eigen::Index point) const;
+
+    std::filesystem::path folder;
+};
+
+/** The user's choice at a point. */
+enum class PointAnswer
+{
+    measure,
+    skip,
+    again, ///< The previous point.
+    end
+};
+
+/** Leads a user with a scanning sensor from point to point, by lines on the terminal. */
+class PointGuide
+{
+public:
+    /** @param asksNoQuestions  everything is measured as it comes */
+    explicit PointGuide (bool asksNoQuestions) : silent (asksNoQuestions) {}
+
+    /** Asks no questions, and hands on what it tells in place of writing it on the terminal. */
+    explicit PointGuide (std::function<void (const std::string& sentence)> listenerToUse)
+        : silent (true), listener (std::move (listenerToUse))
+    {
+    }
+
+    /** Asks for the sensors to be put at consecutive points, and waits for an answer that it understands; the end of
+       the input means the end.
+        @param places     N_p x 2, m
+        [worker] */
+    PointAnswer ask (const Eigen::MatrixX2d& places, Eigen::Index first, Eigen::Index count) const;
+
+    /** Whether the user is not asked. */
+    bool isSilent() const { return silent; }
+
+    /** Says how a measurement went, in a line. */
+    void tell (const std::string& sentence) const;
+
+private:
+    bool silent;
+    std::function<void (const std::string&)> listener; ///< None: the terminal.
+};
+
 /** What the level check plays before the first point: a short multisine in the same band at a tenth of the levels.
     [worker] */
 Excitation levelCheckExcitation (const ExcitationSheet&);

@@ -1,7 +1,7 @@
 #include "PlayPasses.h"
 
-#include <antinode_learning/LikelyDelays.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_learning/RecordingDelays.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <algorithm>
 #include <cmath>

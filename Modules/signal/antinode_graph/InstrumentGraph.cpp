@@ -1,9 +1,8 @@
 #include "InstrumentGraph.h"
 
-#include "AllocationNode.h"
-#include "InputNode.h"
-#include "OverlaidFociNode.h"
-#include "SlewNode.h"
+#include "InputNodes.h"
+#include "OutputNodes.h"
+#include "VoiceNode.h"
 
 #include <utility>
 

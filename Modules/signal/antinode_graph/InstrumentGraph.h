@@ -1,11 +1,9 @@
 #pragma once
 
-#include "ChannelGainNode.h"
-#include "FilterNode.h"
-#include "LagOutputs.h"
-#include "LimiterNode.h"
+#include "InputNodes.h"
 #include "NodeGraph.h"
-#include "PlateNode.h"
+#include "OutputNodes.h"
+#include "SurfaceNode.h"
 #include "VoiceNode.h"
 
 #include <antinode_model/ModalModel.h>

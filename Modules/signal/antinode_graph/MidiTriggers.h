@@ -1,6 +1,6 @@
 #pragma once
 
-#include <antinode_engine/FocusEvent.h>
+#include <antinode_engine/FocusEvents.h>
 
 #include <juce_audio_basics/juce_audio_basics.h>
 

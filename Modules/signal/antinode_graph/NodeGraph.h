@@ -2,7 +2,7 @@
 
 #include "Node.h"
 
-#include <antinode_engine/PlanarBuffer.h>
+#include <antinode_engine/AlignedBuffers.h>
 
 #include <algorithm>
 #include <limits>

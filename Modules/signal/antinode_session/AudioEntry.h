@@ -1,19 +1,82 @@
 #pragma once
 
+#include "DevicePath.h"
 #include "InstrumentPath.h"
-#include "PathExchange.h"
-#include "TriggerQueue.h"
 
-#include <antinode_engine/EventDelay.h>
+#include <antinode_base/LockFreeExchange.h>
+#include <antinode_engine/FocusEvents.h>
 
 #include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <span>
 
 namespace antinode
 {
+/** The order between stops and all else that threads ask for: how often everything was stopped. What is asked for keeps
+    the number of its time wherever it waits, and is void once there is a newer one. [any] */
+class StopCount
+{
+public:
+    std::uint64_t now() const { return stops; }
+
+    /** Of those by stop(): what plays by itself, as the notes of a file do, ends with them, not with notes that stop.
+     */
+    std::uint64_t commands() const { return commanded; }
+
+    /** A command of a person or a host. */
+    void stop()
+    {
+        ++commanded;
+        ++stops;
+    }
+
+    /** All notes off. @return  the number from now on */
+    std::uint64_t stopByNote() { return ++stops; }
+
+private:
+    std::atomic<std::uint64_t> stops { 0 }, commanded { 0 };
+    static_assert (std::atomic<std::uint64_t>::is_always_lock_free);
+};
+
+/** Triggers on their way to the audio thread that did not come with a block: a button, a touch, a message. The audio
+   thread neither locks nor waits; pushes are serialised. */
+class TriggerQueue
+{
+public:
+    static constexpr std::size_t capacity = 256;
+
+    /** @param stopsToCount  outlive this */
+    explicit TriggerQueue (const StopCount& stopsToCount) : stops (stopsToCount) {}
+
+    /** @param askedAt  StopCount::now() of when it was asked for
+        @return         false where `capacity` wait already: then this one is dropped. [any but the audio thread] */
+    bool push (const FocusEvent&, std::uint64_t askedAt);
+
+    /** What was taken: those that were asked for since the newest stop, which the audio thread is to play first. */
+    struct Taken
+    {
+        std::size_t count = 0;
+        std::uint64_t stop = 0;
+    };
+
+    /** Takes all that wait, the oldest first. @param events  room for `capacity` [audio thread] */
+    Taken pop (std::span<FocusEvent> events);
+
+private:
+    struct Waiting
+    {
+        FocusEvent event;
+        std::uint64_t askedAt = 0;
+    };
+
+    const StopCount& stops;
+    std::mutex pushing;
+    RingQueue<Waiting, capacity> waiting;
+};
+
 /** Where the audio thread enters a session, which derives from it: notes and triggers in, the path that plays, meters
     out. The session's thread gives it paths, by one atomic exchange. */
 class AudioEntry

@@ -5,7 +5,7 @@
 #include <antinode_focus/FocusDescription.h>
 #include <antinode_focus/SpillOver.h>
 #include <antinode_model/ModalModel.h>
-#include <antinode_model/Playback.h>
+#include <antinode_model/VoltageProgram.h>
 
 #include <functional>
 #include <memory>

@@ -1,23 +1,52 @@
 #pragma once
 
-#include "BankOrder.h"
 #include "DesignRequest.h"
-#include "PlaceDesigner.h"
+#include "NoteBank.h"
 
-#include <antinode_engine/BankHandOver.h>
+#include <antinode_engine/FocusBank.h>
+#include <antinode_focus/FocusDesign.h>
+#include <antinode_focus/SpillOver.h>
 
 #include <array>
 #include <chrono>
 #include <condition_variable>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
+#include <string>
 #include <thread>
 #include <vector>
 
 namespace antinode
 {
+/** Designs the places of a bank one after the other, and keeps what they share: the modes beyond the device's own,
+   which only waveforms of samples need, and how many of these the first place had to guard. One thread at a time. */
+class PlaceDesigner
+{
+public:
+    /** The places that come belong to another request. Where only its voltage limit is another one, guards stay.
+     * [worker] */
+    void begin (const DesignRequest& request);
+
+    /** A focus of the request, at one of its places or another one.
+        @throws InputError, LimitError  as designFocus
+        [worker] */
+    FocusDesign design (const DesignRequest& request, const FocusDescription&);
+
+private:
+    FocusDesign designSamples (const DesignRequest&, const FocusDescription&);
+    FocusDesign designKeepingGuards (const FocusDescription&, Playback);
+    FocusDesign withAllGuards (FocusDesign, double share, const FocusDescription&, Playback) const;
+
+    std::shared_ptr<const ModalModel> known; ///< What the wide model was made of.
+    std::optional<WideModel> wide;
+    std::string guardedFocus;          ///< As text, without its limit.
+    std::optional<ModalModel> guarded; ///< With what the first place guards beyond; none: no place is designed yet.
+    bool areGuardsSure = false;        ///< False: limits moved since they were found.
+};
+
 /** Designs banks on a thread of its own and hands them over: the focus at its own place first, then the wanted notes'
    places one by one, then the others in parts (BankOrder). A newer request replaces one that has not been finished:
    rapid changes of a parameter coalesce, and a design that takes long is given up. Until a place is designed again it

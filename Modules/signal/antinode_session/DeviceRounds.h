@@ -1,13 +1,12 @@
 #pragma once
 
-#include "Amplifiers.h"
 #include "Documents.h"
 #include "SessionOwner.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/Watch.h>
 #include <antinode_documents/Library.h>
-#include <antinode_engine/FocusEvent.h>
+#include <antinode_engine/FocusEvents.h>
 #include <antinode_model/ModalModel.h>
 
 #include <atomic>

@@ -1,6 +1,6 @@
 #include "FocusSettings.h"
 
-#include <antinode_focus/FocusMoments.h>
+#include <antinode_focus/TargetField.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "InstrumentPath.h"
 
-#include <antinode_graph/InputNode.h>
+#include <antinode_graph/InputNodes.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "AudioEntry.h"
-#include "DeviceFollowing.h"
 #include "DeviceRounds.h"
+#include "DriftFollower.h"
 #include "NoteBank.h"
 
 #include <atomic>

@@ -1,6 +1,6 @@
 #include "KnownDrift.h"
 
-#include <antinode_model/IdleCeramics.h>
+#include <antinode_model/ModalModel.h>
 
 #include <utility>
 

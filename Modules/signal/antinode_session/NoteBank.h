@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -24,4 +25,29 @@ std::vector<std::pair<double, double>> spreadNotes (const Surface&, std::pair<do
     @param sampleRate  that the foci are played at, Hz [any]; what it returns: [worker] */
 std::function<WideModel()> modesBeyond (std::shared_ptr<const DeviceDocument>, std::shared_ptr<const ModalModel>,
                                         double sampleRate);
+
+/** The places of a bank in the order in which they are designed: those that are wanted first, then the others outward
+   from the first of them, by number. */
+class BankOrder
+{
+public:
+    /** A place, and whether it is urgent. */
+    struct Next
+    {
+        int place = 0;
+        bool isAwaited = false;
+    };
+
+    /** @param wantedFirst  of the places 0 to count - 1; others are skipped; none: 0 [any] */
+    BankOrder (const std::vector<int>& wantedFirst, std::size_t count);
+
+    /** Whether all were taken. [any] */
+    bool isEmpty() const { return left.empty(); }
+
+    /** Takes the next one: an urgent one before all others. Not where it is empty. [any] */
+    Next take (std::span<const int> urgent);
+
+private:
+    std::vector<int> first, left; ///< Of the latter the next one in front.
+};
 } // namespace antinode

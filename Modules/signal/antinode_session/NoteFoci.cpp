@@ -1,11 +1,10 @@
 #include "NoteFoci.h"
 
-#include "Amplifiers.h"
+#include "Documents.h"
 #include "NoteBank.h"
-#include "WrittenDesign.h"
 
 #include <antinode_documents/Library.h>
-#include <antinode_focus/WideDesign.h>
+#include <antinode_focus/SpillOver.h>
 
 #include <algorithm>
 #include <cmath>

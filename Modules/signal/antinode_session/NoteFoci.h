@@ -1,6 +1,5 @@
 #pragma once
 
-#include "DesignedDrift.h"
 #include "InstrumentPath.h"
 #include "KnownDrift.h"
 

@@ -1,7 +1,5 @@
 #include "SessionState.h"
 
-#include "FollowingState.h"
-
 #include <antinode_text/JsonReader.h>
 #include <antinode_text/JsonText.h>
 
@@ -15,7 +13,7 @@ namespace antinode
 namespace
 {
 constexpr int maximumMutes = 64;
-constexpr double farthest = 1e12; // of a parameter: each cuts it to its own range
+constexpr double farthest = 1e12; // of a parameter, and mm: what takes it cuts it to its own range
 
 std::vector<std::string_view> keysOf (const SessionRole& role)
 {
@@ -121,5 +119,48 @@ SessionState readState (std::string_view text, const SessionRole& role)
              role.isOfFoci ? readMutes (state.required ("muted_ceramics")) : 0,
              openGraph && openGraph->boolean(),
              following ? followingFromJson (*following) : FollowingSettings() };
+}
+
+namespace
+{
+constexpr int mostCeramics = 64;
+} // namespace
+
+std::string followingToText (const FollowingSettings& following)
+{
+    nlohmann::ordered_json json { { "sensor", wordFor (followingSensorWords, following.sensor) } };
+
+    if (following.isCeramic())
+        json["ceramic"] = following.ceramic + 1;
+    else
+    {
+        json["x_mm"] = following.xMillimetres;
+        json["y_mm"] = following.yMillimetres;
+    }
+
+    if (following.isFrozen)
+        json["frozen"] = true;
+
+    return json.dump();
+}
+
+FollowingSettings followingFromJson (const JsonValue& value)
+{
+    const auto json = value.object ({ "sensor", "ceramic", "x_mm", "y_mm", "frozen" });
+    FollowingSettings following;
+    following.sensor = json.required ("sensor").choice (followingSensorWords);
+
+    if (following.isCeramic())
+        following.ceramic = json.required ("ceramic").integer (1, mostCeramics) - 1;
+    else
+    {
+        following.xMillimetres = json.required ("x_mm").number ({ -farthest, farthest });
+        following.yMillimetres = json.required ("y_mm").number ({ -farthest, farthest });
+    }
+
+    if (const auto frozen = json.optional ("frozen"))
+        following.isFrozen = frozen->boolean();
+
+    return following;
 }
 } // namespace antinode

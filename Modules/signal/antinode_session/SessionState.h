@@ -1,7 +1,9 @@
 #pragma once
 
 #include "Documents.h"
-#include "FollowingSettings.h"
+#include "Following.h"
+
+#include <antinode_text/JsonReader.h>
 
 #include <cstdint>
 #include <map>
@@ -46,4 +48,10 @@ std::string stateToText (const SessionState&, const SessionRole& = SessionRole::
 /** @throws InputError  "state: ...", where the text is no state of this role, or one of a version that this program
    does not know [worker] */
 SessionState readState (std::string_view text, const SessionRole& = SessionRole::foci);
+
+/** How a device is followed, as states keep it: JSON. Docs/FileFormats.md [worker] */
+std::string followingToText (const FollowingSettings&);
+
+/** @throws InputError  where it is none [worker] */
+FollowingSettings followingFromJson (const JsonValue&);
 } // namespace antinode

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "FilterDesigner.h"
-#include "FingerMovement.h"
 #include "InstrumentSession.h"
 #include "NoteFoci.h"
 
-#include <antinode_fingers/SkinThreshold.h>
+#include <antinode_fingers/Sensation.h>
 
 #include <array>
 #include <atomic>

@@ -1,15 +1,45 @@
 #pragma once
 
-#include "OscMessage.h"
-#include "TouchFault.h"
+#include "Touch.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace antinode
 {
+struct OscNil
+{
+};
+
+struct OscInfinitum
+{
+};
+
+/** Seconds since 1900, with 32 binary places; 1 = at once. */
+struct OscTimeTag
+{
+    std::uint64_t value = 1;
+};
+
+/** The types i f s b h d T F N I t. */
+using OscArgument = std::variant<std::int32_t, float, std::string, std::vector<std::byte>, std::int64_t, double, bool,
+                                 OscNil, OscInfinitum, OscTimeTag>;
+
+struct OscMessage
+{
+    std::string address; ///< Starts with '/'.
+    std::vector<OscArgument> arguments;
+};
+
+/** An argument of the types i f h d as a number; may be not finite. [any] */
+std::optional<double> toNumber (const OscArgument&);
+
 /** The content of an OSC 1.0 datagram. */
 struct OscPacket
 {
@@ -24,4 +54,35 @@ struct OscPacket
 /** Reads a message, or bundles in each other, to 8 deep. Claimed sizes are checked before they are used: memory is
     bounded by the size of the packet. [any] */
 OscPacket readOscPacket (std::span<const std::byte> packet);
+
+/** Takes the fields of OSC 1.0 off the front of some bytes: big-endian, each a multiple of 4 long. After the first
+    fault nothing is left and every field is zero or empty, so that only the end of a series need be checked. */
+class OscBytes
+{
+public:
+    /** @param bytesToRead  outlive this. [any] as all that follows */
+    explicit OscBytes (std::span<const std::byte> bytesToRead) : bytes (bytesToRead) {}
+
+    std::size_t left() const { return bytes.size(); }
+    std::optional<TouchFault> fault() const { return firstFault; }
+
+    std::uint32_t word();
+    std::uint64_t longWord();
+
+    /** A string without its zeros. */
+    std::string text();
+
+    /** A size as a word, as many bytes, zeros. */
+    std::span<const std::byte> blob();
+
+    /** Bytes without padding: the contents of an element. */
+    std::span<const std::byte> take (std::size_t size);
+
+private:
+    std::span<const std::byte> takePadded (std::size_t size);
+    std::span<const std::byte> fail (TouchFault);
+
+    std::span<const std::byte> bytes;
+    std::optional<TouchFault> firstFault;
+};
 } // namespace antinode

@@ -1,12 +1,30 @@
 #pragma once
 
-#include "TouchFault.h"
-
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
 namespace antinode
 {
+/** Why a packet, or a part of it, was dropped. */
+enum class TouchFault
+{
+    truncated,      ///< A field or an element reaches beyond the packet. The packet is dropped, as for the next three.
+    unaligned,      ///< The size of a packet or an element is no multiple of 4.
+    malformed,      ///< Missing address or types, padding that is not zero, bytes left over.
+    tooDeep,        ///< More bundles in each other than are read.
+    unknownType,    ///< A message with a type that is not read. Only the message is dropped, as for those that follow.
+    unknownAddress, ///< A message for another program.
+    wrongArguments, ///< Too few, too many, or of the wrong type.
+    notFinite,      ///< A coordinate or an amplitude that is not finite.
+    outside,        ///< A fraction of the surface below 0 or above 1.
+    brokenFrame,    ///< A TUIO frame without alive or fseq, or a cursor set that is not alive.
+    staleFrame      ///< A TUIO frame that came after a newer one.
+};
+
+constexpr std::size_t touchFaultKinds = static_cast<std::size_t> (TouchFault::staleFrame) + 1;
+
 enum class TouchKind
 {
     focusAt, ///< Plays a focus at a place.
@@ -29,4 +47,28 @@ struct Touch
 
 /** The fault of a touch: numbers that are not finite, fractions outside the surface. [any] */
 std::optional<TouchFault> findFault (const Touch&);
+
+/** Counters since the start. */
+struct TouchCounters
+{
+    std::int64_t packets = 0;  ///< Datagrams, good or bad.
+    std::int64_t touches = 0;  ///< Forwarded, stops among them.
+    std::int64_t limited = 0;  ///< Good touches dropped because too many came.
+    std::int64_t failures = 0; ///< Exceptions, of the callback or for want of memory; each cost a touch or a packet.
+    std::array<std::int64_t, touchFaultKinds> faults {}; ///< In the order of TouchFault.
+
+    std::int64_t of (TouchFault fault) const { return faults[static_cast<std::size_t> (fault)]; }
+    void count (TouchFault fault) { ++faults[static_cast<std::size_t> (fault)]; }
+};
+
+struct TouchOptions
+{
+    /** A TUIO cursor that has moved farther than this since its last touch gives another one: in fractions of the
+        surface, 0 = never. */
+    double repeatDistance = 0;
+    int touchesPerSecond = 500; ///< The largest number of foci forwarded in any second; all else always is.
+
+    /** TUIO cursors rest as fingers instead of playing foci. */
+    bool cursorsRest = false;
+};
 } // namespace antinode

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "OscMessage.h"
+#include "OscPacket.h"
 #include "Touch.h"
-#include "TouchCounters.h"
-#include "TouchOptions.h"
 #include "TuioSources.h"
 
 #include <cstdint>

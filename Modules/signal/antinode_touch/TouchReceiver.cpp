@@ -1,14 +1,27 @@
 #include "TouchReceiver.h"
 
 #include <antinode_base/InputError.h>
-#include <antinode_base/Sockets.h>
+#include <antinode_base/System.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <system_error>
 
 namespace antinode
 {
+bool TouchRateLimit::allows (Time now)
+{
+    while (! passed.empty() && now - passed.front() >= std::chrono::seconds (1))
+        passed.pop_front();
+
+    if (static_cast<std::int64_t> (passed.size()) >= perSecond)
+        return false;
+
+    passed.push_back (now);
+    return true;
+}
+
 namespace
 {
 constexpr int pollMilliseconds = 20;         ///< Until the thread sees that it is to stop.

@@ -1,20 +1,52 @@
 #pragma once
 
 #include "TouchMessages.h"
-#include "TouchPorts.h"
-#include "TouchRateLimit.h"
 
 #include <juce_core/juce_core.h>
 
 #include <atomic>
 #include <chrono>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <thread>
 
 namespace antinode
 {
+/** UDP ports: 0 = off, 1 to 65535, or `anyFree`. Each takes OSC and TUIO alike; they are two because senders have two
+    customs. */
+struct TouchPorts
+{
+    static constexpr int anyFree = -1;
+
+    int oscPort = 9000;
+    int tuioPort = 3333;
+
+    /** IPv4, of the listening interface: 127.0.0.1 accepts this computer only, 0.0.0.0 the whole network. */
+    std::string address = "127.0.0.1";
+
+    /** What TUIO cursors rest on the surface: a kind of finger. Empty: they play foci. */
+    std::string finger = {};
+};
+
+/** Limits the number in any second. */
+class TouchRateLimit
+{
+public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    explicit TouchRateLimit (int perSecondToAllow) : perSecond (perSecondToAllow) {}
+
+    /** Whether one more may pass; if so, it has. Times do not go back. [any] */
+    bool allows (Time now);
+
+private:
+    int perSecond;
+    std::deque<Time> passed; ///< In the last second.
+};
+
 /** Listens for OSC and TUIO datagrams on a thread of its own and reports the touches. */
 class TouchReceiver
 {

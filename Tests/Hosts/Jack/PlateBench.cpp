@@ -5,8 +5,8 @@
 #include <antinode_engine/OfflineRender.h>
 #include <antinode_focus/Detuning.h>
 #include <antinode_focus/SpillOver.h>
-#include <antinode_model/IdleCeramics.h>
-#include <antinode_numerics/RandomNumbers.h>
+#include <antinode_model/ModalModel.h>
+#include <antinode_numerics/Statistics.h>
 
 #include <algorithm>
 #include <cmath>
