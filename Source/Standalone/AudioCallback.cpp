@@ -84,6 +84,7 @@ void AudioCallback::prepare (double sampleRate, int blockSize, const juce::BigIn
     openInputChannels = openNumbers (openInputs, inputNumbers);
     longestPart = std::clamp (blockSize, 1, mostSamples);
     buffer.setSize (processorChannels, longestPart);
+    marker.resize (static_cast<std::size_t> (longestPart));
     processor.setRateAndBufferSizeDetails (sampleRate, longestPart);
     processor.prepareToPlay (sampleRate, longestPart);
     router.prepare (sampleRate);
@@ -190,6 +191,10 @@ void AudioCallback::playPart (int offset, int count)
     partNotes.clear();
     partNotes.addEvents (notes, offset, count, -offset);
     processor.processBlock (buffer, partNotes);
+    const auto width = levels.writeMarker ? router.markerSamples() : 0;
+
+    if (width > 0)
+        levels.writeMarker (marker.data(), count, width);
 
     for (std::size_t i = 0; i < channels.size(); ++i)
         partChannels[i] = channels[i] != nullptr ? channels[i] + offset : nullptr;
@@ -200,6 +205,7 @@ void AudioCallback::playPart (int offset, int count)
                       { partChannels.data(), partChannels.size() },
                       count,
                       levels.fullScaleVolts(),
-                      levels.isArmed() });
+                      levels.isArmed(),
+                      width > 0 ? marker.data() : nullptr });
 }
 } // namespace antinode

@@ -51,6 +51,7 @@ struct PlayedLevels
 {
     std::function<double()> fullScaleVolts; ///< Of a sample of 1.0; 0: nothing plays yet.
     std::function<bool()> isArmed;
+    std::function<void (float* to, int count, std::int64_t width)> writeMarker = {}; ///< As AudioEntry; none: never.
 };
 
 /** The callback of an audio device: the processor with all its buses, then the router, on the channels that are open.
@@ -128,6 +129,7 @@ private:
     juce::AudioBuffer<float>
         buffer; ///< Of the processor: ceramics, then monitor. Of the audio thread, as the next lines.
     juce::MidiBuffer notes, partNotes;
+    std::vector<float> marker;
     std::array<int, OutputRouting::maximumOutputs> numbers {}; ///< Output of each channel that the device hands over.
     std::array<float*, OutputRouting::maximumOutputs> channels {}; ///< Of each output; null where it is not open.
     std::array<float*, OutputRouting::maximumOutputs> partChannels {};

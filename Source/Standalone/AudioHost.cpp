@@ -35,9 +35,9 @@ void AudioHost::begin (Instrument toPlay)
     arm().setValueNotifyingHost (0);
     notes = std::make_unique<MidiQueue> (instrument->stops);
     midiInputs = std::make_unique<MidiInputs> (*notes);
-    audio =
-        std::make_unique<AudioCallback> (instrument->processor, outputRouter, *notes,
-                                         PlayedLevels { instrument->fullScaleVolts, [this] { return arm().get(); } });
+    audio = std::make_unique<AudioCallback> (
+        instrument->processor, outputRouter, *notes,
+        PlayedLevels { instrument->fullScaleVolts, [this] { return arm().get(); }, instrument->writeMarker });
     passRouting();
     instrument->processor.addListener (this);
     deviceManager.addChangeListener (this);
@@ -69,6 +69,11 @@ void AudioHost::openAudio (const AudioChoice& choice)
         outputRouter.release();
 
     antinode::openAudio (deviceManager, choice);
+
+    if (auto* const device = deviceManager.getCurrentAudioDevice();
+        device != nullptr && device->getCurrentSampleRate() > 0)
+        latencyOfOutput = std::max (0, device->getOutputLatencyInSamples()) / device->getCurrentSampleRate();
+
     watch.begin (juce::Time::getMillisecondCounter());
     keepOpened();
     triggerAsyncUpdate();
@@ -175,7 +180,7 @@ float AudioHost::takePeakVolts()
 
 std::int64_t AudioHost::faultCount (const TouchCounters& counters)
 {
-    return std::accumulate (counters.faults.begin(), counters.faults.end(), std::int64_t());
+    return std::accumulate (counters.faults.begin(), counters.faults.end(), counters.strangers);
 }
 
 juce::String AudioHost::touchStatus()

@@ -10,6 +10,7 @@
 #include <antinode_session/UserMessages.h>
 #include <antinode_touch/Touch.h>
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -140,6 +141,9 @@ public:
     /** Of what plays. [any but the audio thread] */
     LevelMeters& meters() const { return *instrument->processor.playing().meters; }
 
+    /** What the device's driver says that a sample takes to its output, s; 0 without a device. [any] */
+    double outputLatency() const { return latencyOfOutput; }
+
     /** The largest voltage of all ceramics since the last call, V. [any but the audio thread] */
     float takePeakVolts();
 
@@ -174,7 +178,8 @@ protected:
     {
         auto& session = player.session();
         begin ({ player, player.parameters().arm(), session.stops(), [&session] { return session.fullScaleVolts(); },
-                 [&session] (const std::vector<double>& volts) { session.setAmplifiers (volts); } });
+                 [&session] (const std::vector<double>& volts) { session.setAmplifiers (volts); },
+                 [&session] (float* to, int count, std::int64_t width) { session.writeMarker (to, count, width); } });
     }
 
     /** Shuts down, and does nothing any more. [message thread] */
@@ -200,6 +205,7 @@ private:
         StopCount& stops;
         std::function<double()> fullScaleVolts;                         ///< As AudioEntry.
         std::function<void (const std::vector<double>&)> setAmplifiers; ///< As DeviceRounds.
+        std::function<void (float*, int, std::int64_t)> writeMarker;    ///< As AudioEntry.
     };
 
     void begin (Instrument);
@@ -229,7 +235,8 @@ private:
     std::map<MessageSource, std::string> failures;
     juce::uint32 portsTried = 0; ///< ms, when those that could not be opened were tried again.
     OutputRouter outputRouter;
-    std::optional<Instrument> instrument; ///< From begin() on.
+    std::atomic<double> latencyOfOutput { 0 }; ///< s
+    std::optional<Instrument> instrument;      ///< From begin() on.
     std::unique_ptr<MidiQueue> notes;
     std::unique_ptr<AudioCallback> audio;
     std::unique_ptr<MidiInputs> midiInputs;

@@ -250,7 +250,8 @@ void TouchPanel::apply()
 {
     const auto finger = cursorWords[static_cast<std::size_t> (cursors.getSelectedId() - 1)].second;
     const TouchPorts wanted { oscPort.getText().getIntValue(), tuioPort.getText().getIntValue(),
-                              network.getToggleState() ? wholeNetwork : thisComputer, std::string (finger) };
+                              network.getToggleState() ? wholeNetwork : thisComputer, std::string (finger),
+                              host.settings().touch.senders };
     host.attempt (MessageSource::ports, [&] { host.setTouch (wanted); });
     showState();
 }

@@ -22,6 +22,16 @@ bool isMonitorOutput (const OutputRouting& routing, int output)
            && output < routing.monitor + OutputRouting::monitors;
 }
 
+void validateMarker (const SyncMarker& marker)
+{
+    if (! (marker.level >= 0 && marker.level <= 1))
+        throw InputError ("sync marker", "has a level of " + std::to_string (marker.level) + "; allowed: 0 to 1");
+
+    if (! (marker.seconds > 0 && marker.seconds <= 1))
+        throw InputError ("sync marker",
+                          "lasts " + std::to_string (marker.seconds * 1000) + " ms; allowed: above 0 to 1000 ms");
+}
+
 void validateChains (const OutputRouting& routing)
 {
     for (std::size_t i = 0; i < routing.chains.size(); ++i)
@@ -55,6 +65,9 @@ OutputRouting withOutput (OutputRouting routing, int ceramic, int output)
     if (isMonitorOutput (routing, output))
         routing.monitor = OutputRouting::none;
 
+    if (output == routing.marker.output)
+        routing.marker.output = OutputRouting::none;
+
     routing.outputs[static_cast<std::size_t> (ceramic)] = output;
     return routing;
 }
@@ -66,6 +79,9 @@ OutputRouting withMonitor (OutputRouting routing, int firstOutput)
     for (auto& output : routing.outputs)
         if (isMonitorOutput (routing, output))
             output = OutputRouting::none;
+
+    if (isMonitorOutput (routing, routing.marker.output))
+        routing.marker.output = OutputRouting::none;
 
     return routing;
 }
@@ -106,6 +122,10 @@ void validate (const OutputRouting& routing)
         for (int i = 0; i < OutputRouting::monitors; ++i)
             use (routing.monitor + i, "monitor " + std::to_string (i + 1));
 
+    if (routing.marker.output != OutputRouting::none)
+        use (routing.marker.output, "sync marker");
+
+    validateMarker (routing.marker);
     validateChains (routing);
 }
 
@@ -261,6 +281,12 @@ void OutputRouter::changeSource()
     sourceLeft = rampSamples;
 }
 
+std::int64_t OutputRouter::markerSamples() const
+{
+    const auto& marker = table->routing.marker;
+    return marker.output == OutputRouting::none ? 0 : std::max<std::int64_t> (1, std::llround (marker.seconds * rate));
+}
+
 void OutputRouter::latchMute()
 {
     wantsMute = true;
@@ -353,6 +379,8 @@ void OutputRouter::fillCeramic (const RouterBlock& block, const Part& part, int 
                     gain * chain.polarity, clamped);
     else if (monitor >= 0 && static_cast<std::size_t> (monitor) < block.monitor.size())
         copyWithin (block.monitor[static_cast<std::size_t> (monitor)] + part.offset, to, part.count, 1, clamped);
+    else if (output == routing.marker.output && block.marker != nullptr && block.isArmed)
+        copyWithin (block.marker + part.offset, to, part.count, routing.marker.level, clamped);
 
     outputMeters.note (output, 0, clamped);
 }

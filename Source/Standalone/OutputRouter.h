@@ -20,6 +20,16 @@ struct OutputChain
     bool operator== (const OutputChain&) const = default;
 };
 
+/** A pulse on an output of its own from each focus on, for recorders, EEG and photodiodes. */
+struct SyncMarker
+{
+    int output = -1;        ///< From 0; below: there is none.
+    double level = 0.5;     ///< Share of full scale, 0 to 1.
+    double seconds = 0.005; ///< How long it lasts, above 0 to 1 s.
+
+    bool operator== (const SyncMarker&) const = default;
+};
+
 /** The output of each ceramic: each ceramic has at most one output, each output at most one ceramic. Counted from 0. */
 struct OutputRouting
 {
@@ -29,6 +39,7 @@ struct OutputRouting
     std::array<int, maximumCeramics> outputs {};       ///< Of each ceramic; `none`: nothing drives it.
     std::array<OutputChain, maximumOutputs> chains {}; ///< Of each output.
     int monitor = none;                                ///< The first of two outputs with the velocity at the probes.
+    SyncMarker marker;
 
     bool operator== (const OutputRouting&) const = default;
 };
@@ -89,10 +100,11 @@ struct RouterBlock
     std::span<const float* const> ceramics; ///< Channel k is ceramic k; 1.0 = fullScaleVolts.
     std::span<const float* const> monitor;  ///< 1.0 = 1 m/s
     std::span<float* const>
-        outputs;               ///< Of the device; null where a channel is not open. Others than these do not exist.
-    int count = 0;             ///< Samples.
-    double fullScaleVolts = 0; ///< 0: nothing is played yet.
-    bool isArmed = false;      ///< Else there is no identify tone either.
+        outputs;                   ///< Of the device; null where a channel is not open. Others than these do not exist.
+    int count = 0;                 ///< Samples.
+    double fullScaleVolts = 0;     ///< 0: nothing is played yet.
+    bool isArmed = false;          ///< Else there is no identify tone either.
+    const float* marker = nullptr; ///< 1 from each focus on for its time; none: nothing marks.
 };
 
 /** The last station before the device: from voltages to what each output must give so that the amplifier behind it
@@ -137,6 +149,9 @@ public:
         [any] */
     void identify (int ceramic) { wantedTone = ceramic; }
     int identified() const { return wantedTone; }
+
+    /** How long a marker lasts; 0: there is none. [audio thread] */
+    std::int64_t markerSamples() const;
 
     /** [audio thread] allocates nothing, locks nothing */
     void process (const RouterBlock&);

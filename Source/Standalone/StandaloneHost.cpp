@@ -52,12 +52,14 @@ StandaloneHost::StandaloneHost (SettingsFile fileToUse, bool keepsSettings)
         player.setState (*kept.state, true);
 
     begin (player);
+    allowRemoteArm (false);
     callback().setInputs (sensorAlone());
 }
 
 StandaloneHost::~StandaloneHost()
 {
     end();
+    control = nullptr;
 }
 
 void StandaloneHost::setTouch (const TouchPorts& ports)
@@ -65,6 +67,14 @@ void StandaloneHost::setTouch (const TouchPorts& ports)
     kept.touch = ports;
     tellChange();
     touchInput.open (ports);
+}
+
+void StandaloneHost::allowRemoteArm (bool isAllowed)
+{
+    control = std::make_shared<RemoteControl> (*this, isAllowed);
+    touchInput.setControl ({ [now = control] (const OscMessage& message, const OscSender& sender)
+                             { now->take (message, sender); },
+                             [now = control] { return now->answers(); } });
 }
 
 void StandaloneHost::restTouches()

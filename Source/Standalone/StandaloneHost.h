@@ -1,6 +1,7 @@
 #pragma once
 
 #include "AudioHost.h"
+#include "RemoteControl.h"
 #include "TouchInput.h"
 
 #include <Processor/AntinodeProcessor.h>
@@ -39,6 +40,9 @@ public:
     void setTouch (const TouchPorts&) override;
     void shutDown() override;
 
+    /** Whether commands from outside may arm, from when ports are opened next; not at first. [message thread] */
+    void allowRemoteArm (bool isAllowed);
+
     /** Puts touches that rest on the surface as fingers, and lifts those that have left, where that is due. The host
         does so itself 20 times a second. [message thread] */
     void restTouches();
@@ -60,6 +64,7 @@ private:
 
     AntinodeProcessor player { AntinodeProcessor::maximumCeramics, juce::AudioProcessor::wrapperType_Undefined };
     TouchInput touchInput { player.session() };
+    std::shared_ptr<RemoteControl> control;
     std::uint64_t seenMutes = 0; ///< When they were looked at last.
 };
 

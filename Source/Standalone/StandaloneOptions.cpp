@@ -39,6 +39,17 @@ void addAudioOptions (CLI::App& app, StandaloneOptions& options)
         ->check (CLI::Range (1, OutputRouting::maximumOutputs));
 }
 
+void addMarkerOptions (CLI::App& app, StandaloneOptions& options)
+{
+    app.add_option ("--marker-output", options.markerOutput,
+                    "Output with a pulse from each focus on, for recorders, EEG or photodiodes; 0: none")
+        ->check (CLI::Range (0, OutputRouting::maximumOutputs));
+    app.add_option ("--marker-level", options.markerLevel, "Level of the marker, share of full scale (default: 0.5)")
+        ->check (CLI::Range (0.0, 1.0));
+    app.add_option ("--marker-ms", options.markerMilliseconds, "Width of the marker, ms (default: 5)")
+        ->check (CLI::Range (0.01, 1000.0));
+}
+
 void addTouchOptions (CLI::App& app, StandaloneOptions& options)
 {
     app.add_option ("--osc-port", options.oscPort, "UDP port for OSC, 0: off")->check (CLI::Range (0, highestPort));
@@ -46,6 +57,12 @@ void addTouchOptions (CLI::App& app, StandaloneOptions& options)
     app.add_option ("--touch-address", options.touchAddress,
                     "Accepts touches at this IPv4 address; 127.0.0.1: this computer only, 0.0.0.0: the whole network")
         ->check (CLI::ValidIPV4);
+    app.add_option ("--allow-sender", options.senders,
+                    "Takes OSC commands from this computer of the network, an IPv4 address (repeatable)")
+        ->check (CLI::ValidIPV4)
+        ->allow_extra_args (false);
+    app.add_flag ("--allow-remote-arm", options.allowsRemoteArm, "Lets OSC commands arm the outputs")
+        ->excludes ("--touch");
     app.add_option (
            "--tuio-cursors", options.tuioCursors,
            "What TUIO cursors do: play foci, or rest as a light, medium or firm finger; with --touch they always "
@@ -129,6 +146,7 @@ void addStandaloneOptions (CLI::App& app, StandaloneOptions& options)
     addFingerOptions (app, options);
     addFollowingOptions (app, options);
     addTouchOptions (app, options);
+    addMarkerOptions (app, options);
     auto* const file = app.add_option ("--settings", options.settings, "Settings file; default: the user's settings");
     app.add_flag ("--no-settings", options.ignoresSettings, "Neither reads nor saves settings")->excludes (file);
     addHeadlessOptions (app, options);
@@ -197,6 +215,7 @@ StandaloneSettings withOptions (StandaloneSettings settings, const StandaloneOpt
     settings.touch.oscPort = options.oscPort.value_or (settings.touch.oscPort);
     settings.touch.tuioPort = options.tuioPort.value_or (settings.touch.tuioPort);
     settings.touch.address = options.touchAddress.value_or (settings.touch.address);
+    settings.touch.senders = options.senders;
 
     if (options.tuioCursors)
         settings.touch.finger = *options.tuioCursors == "foci" ? "" : *options.tuioCursors;
@@ -212,6 +231,27 @@ SettingsFile chooseSettingsFile (const StandaloneOptions& options)
     return SettingsFile (options.settings.empty() ? usualSettingsFile() : std::filesystem::absolute (options.settings));
 }
 
+namespace
+{
+/** A ceramic that had the marker's output loses it. */
+void takeMarker (AudioHost& host, const StandaloneOptions& options)
+{
+    auto routing = host.settings().routing;
+    auto& marker = routing.marker;
+    marker.output = options.markerOutput ? *options.markerOutput - 1 : marker.output;
+    marker.level = options.markerLevel.value_or (marker.level);
+    marker.seconds = options.markerMilliseconds ? *options.markerMilliseconds / milli : marker.seconds;
+
+    if (routing == host.settings().routing)
+        return;
+
+    if (marker.output != OutputRouting::none)
+        std::replace (routing.outputs.begin(), routing.outputs.end(), marker.output, OutputRouting::none);
+
+    host.setRouting (routing);
+}
+} // namespace
+
 void loadDocuments (StandaloneHost& host, const StandaloneOptions& options)
 {
     auto device = options.instrument.empty() ? nullptr : deviceDocument (options.instrument);
@@ -219,6 +259,9 @@ void loadDocuments (StandaloneHost& host, const StandaloneOptions& options)
 
     if (options.opensGraph)
         host.processor().session().setGraphOpen (true);
+
+    host.allowRemoteArm (options.allowsRemoteArm);
+    takeMarker (host, options);
 
     if (! options.following.empty())
         host.processor().session().following().setSettings (readFollowing (options.following));
@@ -238,6 +281,8 @@ void loadFingers (TouchHost& host, const StandaloneOptions& options)
 
     if (! options.touch.empty())
         host.processor().load (deviceDocument (options.touch));
+
+    takeMarker (host, options);
 
     takeInputs (host, options);
 

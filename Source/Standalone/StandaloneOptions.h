@@ -33,6 +33,10 @@ struct StandaloneOptions
     int touchLatency = 0;             ///< ms; 0: as in the settings.
     std::optional<int> oscPort, tuioPort;
     std::optional<std::string> touchAddress, tuioCursors;
+    std::vector<std::string> senders; ///< IPv4, of commands from other computers.
+    bool allowsRemoteArm = false;
+    std::optional<int> markerOutput; ///< From 1; 0: none.
+    std::optional<double> markerLevel, markerMilliseconds;
     double duration = 0; ///< s; 0: until it is interrupted.
 };
 

@@ -4,6 +4,7 @@
 
 #include <Editor/ContentEditor.h>
 #include <antinode_base/InputError.h>
+#include <antinode_base/Prefixes.h>
 #include <antinode_base/System.h>
 #include <antinode_base/WholeFile.h>
 #include <antinode_documents/Library.h>
@@ -65,9 +66,16 @@ Json routingToJson (const OutputRouting& routing)
                                 { "volts_per_full_scale", chain.voltsPerFullScale },
                                 { "polarity", chain.polarity } });
 
-    return { { "output_of_ceramic", outputs },
-             { "monitor_output", toJsonNumber (routing.monitor) },
-             { "chains", chains } };
+    Json json { { "output_of_ceramic", outputs },
+                { "monitor_output", toJsonNumber (routing.monitor) },
+                { "chains", chains } };
+
+    if (const auto& marker = routing.marker; marker != SyncMarker {})
+        json["sync_marker"] = { { "output", toJsonNumber (marker.output) },
+                                { "level", marker.level },
+                                { "width_ms", marker.seconds * milli } };
+
+    return json;
 }
 
 AudioChoice readAudio (const JsonValue& value)
@@ -91,7 +99,7 @@ AudioChoice readAudio (const JsonValue& value)
 
 OutputRouting readRouting (const JsonValue& value)
 {
-    const auto json = value.object ({ "output_of_ceramic", "monitor_output", "chains" });
+    const auto json = value.object ({ "output_of_ceramic", "monitor_output", "chains", "sync_marker" });
     OutputRouting routing;
     const auto outputs = json.required ("output_of_ceramic").items (routing.outputs.size(), routing.outputs.size());
 
@@ -107,6 +115,14 @@ OutputRouting readRouting (const JsonValue& value)
         routing.chains[static_cast<std::size_t> (output)] = {
             chain.required ("volts_per_full_scale").number ({ 0, maximumVolts }), chain.required ("polarity").sign()
         };
+    }
+
+    if (const auto marker = json.optional ("sync_marker"))
+    {
+        const auto read = marker->object ({ "output", "level", "width_ms" });
+        routing.marker = { read.required ("output").integer (0, OutputRouting::maximumOutputs) - 1,
+                           read.required ("level").number ({ 0, 1 }),
+                           read.required ("width_ms").number ({ 0, milli }) / milli };
     }
 
     validate (routing);

@@ -166,6 +166,7 @@ void TouchInput::open (const TouchPorts& ports)
 
     TouchOptions options;
     options.cursorsRest = ! ports.finger.empty();
-    receiver = std::make_unique<TouchReceiver> (ports, options, [this] (const Touch& touch) { play (touch); });
+    receiver = std::make_unique<TouchReceiver> (
+        ports, options, [this] (const Touch& touch) { play (touch); }, control);
 }
 } // namespace antinode

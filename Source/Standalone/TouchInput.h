@@ -95,6 +95,9 @@ public:
         thread] */
     void open (const TouchPorts&);
 
+    /** What takes commands of the ports that are opened from now on. [message thread] */
+    void setControl (OscControl controlToUse) { control = std::move (controlToUse); }
+
     /** Those that are open; 0 where none is. [message thread] */
     TouchPorts ports() const { return receiver != nullptr ? receiver->ports() : TouchPorts { 0, 0, "127.0.0.1" }; }
 
@@ -118,6 +121,7 @@ private:
     Session& session;
     RestingTouches fingers;
     std::atomic<std::int64_t> outsideSurface { 0 }, notAccepted { 0 }, withoutKind { 0 };
+    OscControl control;
     std::unique_ptr<TouchReceiver> receiver;
 };
 } // namespace antinode

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <span>
 #include <thread>
 #include <vector>
 
@@ -19,20 +20,20 @@ TEST_CASE ("Triggers of many threads arrive once each, in the order of each thre
             [&queue, t]
             {
                 for (int i = 0; i < each;)
-                    i += queue.push ({ i, FocusEventKind::trigger, t, 1 }, 0);
+                    i += queue.push ({ { i, FocusEventKind::trigger, t, 1 } });
             });
 
     std::vector<int> next (threads, 0);
-    std::array<FocusEvent, 50> taken;
+    std::array<TriggerQueue::Fired, 50> taken;
 
     for (int count = 0; count < threads * each;)
     {
-        const auto got = static_cast<int> (queue.pop (taken).count);
+        const auto got = static_cast<int> (queue.pop (taken).first);
         count += got;
 
         for (int i = 0; i < got; ++i)
         {
-            const auto& event = taken[static_cast<std::size_t> (i)];
+            const auto& event = taken[static_cast<std::size_t> (i)].event;
             REQUIRE (event.offset == next[static_cast<std::size_t> (event.place)]++);
         }
     }
@@ -40,7 +41,7 @@ TEST_CASE ("Triggers of many threads arrive once each, in the order of each thre
     for (auto& thread : pushing)
         thread.join();
 
-    CHECK (queue.pop (taken).count == 0);
+    CHECK (queue.pop (taken).first == 0);
 }
 
 TEST_CASE ("A full queue drops what comes, and says so", "[session]")
@@ -49,9 +50,9 @@ TEST_CASE ("A full queue drops what comes, and says so", "[session]")
     TriggerQueue queue { stops };
 
     for (int i = 0; i < 256; ++i)
-        REQUIRE (queue.push ({}, 0));
+        REQUIRE (queue.push ({}));
 
-    CHECK_FALSE (queue.push ({}, 0));
+    CHECK_FALSE (queue.push ({}));
 }
 
 TEST_CASE ("What was asked for before a stop is void, be it pushed later, and what was asked for after it is not",
@@ -60,13 +61,15 @@ TEST_CASE ("What was asked for before a stop is void, be it pushed later, and wh
     StopCount stops;
     TriggerQueue queue { stops };
     const auto before = stops.now();
-    queue.push ({ 0, FocusEventKind::trigger, 1, 1 }, before);
+    queue.push ({ { 0, FocusEventKind::trigger, 1, 1 }, before });
     stops.stop();
-    queue.push ({ 0, FocusEventKind::trigger, 2, 1 }, stops.now());
-    queue.push ({ 0, FocusEventKind::trigger, 3, 1 }, before);
-    std::array<FocusEvent, TriggerQueue::capacity> taken;
-    const auto got = queue.pop (taken);
-    CHECK (got.stop == stops.now());
-    REQUIRE (got.count == 1);
-    CHECK (taken.front().place == 2);
+    queue.push ({ { 0, FocusEventKind::trigger, 2, 1 }, stops.now() });
+    queue.push ({ { 0, FocusEventKind::trigger, 3, 1 }, before });
+    std::array<TriggerQueue::Fired, TriggerQueue::capacity> taken;
+    const auto [count, stop] = queue.pop (taken);
+    CHECK (stop == stops.now());
+    REQUIRE (count == 3);
+
+    for (const auto& each : std::span (taken).first (count))
+        CHECK ((each.askedAt == stop) == (each.event.place == 2));
 }

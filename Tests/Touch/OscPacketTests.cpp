@@ -154,3 +154,22 @@ TEST_CASE ("A fault anywhere in a packet drops all of it", "[touch]")
     CHECK (packet.fault == TouchFault::malformed);
     CHECK (packet.messages.empty());
 }
+
+TEST_CASE ("What is written is what another writer writes, and reads back", "[touch][osc]")
+{
+    using namespace std::string_literals;
+    const OscMessage message { "/antinode/designed",
+                               { "#1"s, std::int32_t { -7 }, 2.5F, std::int64_t { 1 } << 40, -0.125, "four"s } };
+    const auto written = writeOscMessage (message);
+    CHECK (written
+           == test::OscWriter::message ("/antinode/designed", "#1"s, std::int32_t { -7 }, 2.5F,
+                                        std::int64_t { 1 } << 40, -0.125, "four"s));
+    const auto read = readOscPacket (written);
+    REQUIRE (read.messages.size() == 1);
+    CHECK (read.messages[0].address == message.address);
+    CHECK (read.messages[0].arguments == message.arguments);
+    const OscMessage others { "/a",
+                              { true, false, OscNil {}, OscInfinitum {}, OscTimeTag { 5 },
+                                std::vector<std::byte> { std::byte { 1 }, std::byte { 2 } } } };
+    CHECK (readOscPacket (writeOscMessage (others)).messages.at (0).arguments == others.arguments);
+}

@@ -200,3 +200,24 @@ TEST_CASE ("OSC puts fingers down by numbers and lifts one or all of them", "[to
     CHECK (read (OscWriter::message ("/antinode/finger", std::int32_t { 1 }, 1.25F, 0.5F)).empty());
     CHECK (counters.of (TouchFault::outside) == 1);
 }
+
+TEST_CASE ("Commands keep their order among touches; without somebody for them they are unknown", "[touch][osc]")
+{
+    using namespace std::string_literals;
+    const auto packet =
+        OscWriter::bundle ({ OscWriter::message ("/antinode/play", "left"s),
+                             OscWriter::message ("/antinode/focus", 1.0F), OscWriter::message ("/antinode/stop"),
+                             OscWriter::message ("/antinode/play", "right"s), OscWriter::message ("/other/program") });
+    TouchMessages messages;
+    TouchCounters counters;
+    std::vector<OscCommand> commands;
+    const auto touches = messages.read (packet, {}, counters, &commands);
+    REQUIRE (touches.size() == 2);
+    REQUIRE (commands.size() == 3);
+    CHECK (commands[0].touchesBefore == 0);
+    CHECK (commands[1].message.address == "/antinode/stop"); // Answered, too.
+    CHECK (commands[2].touchesBefore == 2);
+    CHECK (counters.of (TouchFault::unknownAddress) == 1);
+    messages.read (packet, {}, counters);
+    CHECK (counters.of (TouchFault::unknownAddress) == 4);
+}

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <string>
 
@@ -205,6 +206,15 @@ PlayableFocus::PlayableFocus (const VoltageProgram& program, Playback playback, 
     }
 }
 
+const PlayableFocus* FocusBank::at (int place) const
+{
+    if (place < 0 || place >= places + static_cast<int> (prepared.size()))
+        return nullptr;
+
+    return place < places ? foci[static_cast<std::size_t> (place)].get()
+                          : prepared[static_cast<std::size_t> (place - firstPreparedPlace)].get();
+}
+
 std::int64_t FocusBank::latestFocusSample() const
 {
     std::int64_t latest = 0;
@@ -220,11 +230,24 @@ std::int64_t FocusBank::latestEndSample() const
 {
     std::int64_t latest = 0;
 
-    for (const auto& focus : foci)
-        if (focus != nullptr)
+    for (auto place = 0; place < places + static_cast<int> (prepared.size()); ++place)
+        if (const auto* const focus = at (place))
             latest = std::max ({ latest, focus->endSample, focus->brake ? focus->brake->endSample() : 0 });
 
     return latest;
+}
+
+void requireRoomBeside (const FocusBank& bank, const PlayableFocus& focus)
+{
+    const auto bytes = std::accumulate (bank.prepared.begin(), bank.prepared.end(), focus.sampleBytes(),
+                                        [] (std::size_t sum, const auto& each)
+                                        { return sum + (each != nullptr ? each->sampleBytes() : 0); });
+
+    if (bytes > FocusBank::mostSampleBytes)
+        throw InputError ("prepared places",
+                          "need more than " + std::to_string (FocusBank::mostSampleBytes >> 20U)
+                              + " MiB for their samples; choose a shorter focus time, a lower sample "
+                                "rate, or the method 'exact'");
 }
 
 void requireRoomInBank (const PlayableFocus& focus, std::size_t foci)

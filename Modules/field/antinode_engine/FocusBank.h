@@ -147,8 +147,9 @@ private:
     PlayableFocus (const VoltageProgram&, Playback, bool isBraked);
 };
 
-/** The foci of the triggers, each place with a focus or none: 128 places of notes, the one that is edited, and some
-   that were touched last. Made on a worker, handed over whole, never changed. */
+/** The foci of the triggers, each place with a focus or none: 128 places of notes, the one that is edited, some that
+   were touched last, and behind them those that were prepared one by one. Made on a worker, handed over whole, never
+   changed. */
 struct FocusBank
 {
     static constexpr int notePlaces = 128;
@@ -156,17 +157,28 @@ struct FocusBank
     static constexpr int firstTouchPlace = livePlace + 1;
     static constexpr int touchPlaces = 16;
     static constexpr int places = firstTouchPlace + touchPlaces;
+    static constexpr int firstPreparedPlace = places;
+    static constexpr int mostPrepared = 4096;
     static constexpr std::size_t mostSampleBytes = 256U << 20U; ///< Of all places together.
 
     std::array<std::shared_ptr<const PlayableFocus>, places> foci;
+    std::vector<std::shared_ptr<const PlayableFocus>> prepared; ///< From firstPreparedPlace on.
 
-    /** The latest focus of all, in samples after its trigger: the delay that lets every focus fall on its note. [any]
-     */
+    /** The focus of a place; null where it has none, or there is no such place. [audio thread] */
+    const PlayableFocus* at (int place) const;
+
+    /** The latest focus of all but the prepared ones, in samples after its trigger: the delay that lets every focus
+        fall on its note. [any] */
     std::int64_t latestFocusSample() const;
 
     /** The first sample after a trigger from which on no focus sounds, its brake included. [any] */
     std::int64_t latestEndSample() const;
 };
+
+/** Whether a bank has room for a focus beside those that it holds prepared.
+    @throws InputError  where their samples would take more than mostSampleBytes
+    [any] */
+void requireRoomBeside (const FocusBank&, const PlayableFocus&);
 
 /** Whether a bank has room for as many foci like this one.
     @throws InputError  where their samples would take more than mostSampleBytes

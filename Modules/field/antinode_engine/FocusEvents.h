@@ -19,8 +19,9 @@ struct FocusEvent
 {
     int offset = 0; ///< Sample of the block, 0 to its length - 1; events come in the order of their offsets.
     FocusEventKind kind = FocusEventKind::trigger;
-    int place = 0;        ///< Of the bank.
-    double amplitude = 1; ///< Of a trigger: times the velocity that the focus was designed for, 0 to 1.
+    int place = 0;             ///< Of the bank.
+    double amplitude = 1;      ///< Of a trigger: times the velocity that the focus was designed for, 0 to 1.
+    std::uint32_t request = 0; ///< Of a trigger: whose answer tells when it plays; 0: nobody waits for one.
 };
 
 /** [any] */

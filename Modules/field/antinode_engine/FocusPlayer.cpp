@@ -211,17 +211,29 @@ bool FocusVoices::cutAnother (const Voice& kept)
     return true;
 }
 
+/** @param voice  none where it plays nothing */
+void FocusVoices::noteBegun (const FocusEvent& event, const Voice* voice)
+{
+    if (begunCount == begun.size())
+        return;
+
+    auto& noted = begun[begunCount++];
+    noted = { event.request };
+
+    if (voice != nullptr)
+        noted = { event.request, true, voice->trigger + voice->focus->firstSample,
+                  voice->trigger + voice->focus->synthesiser.focusSample(), voice->end (fadeLength) };
+}
+
 void FocusVoices::trigger (const FocusEvent& event)
 {
-    const auto isPlace = event.place >= 0 && event.place < FocusBank::places && std::isfinite (event.amplitude);
     const auto* const bank = current >= 0 ? banks[static_cast<std::size_t> (current)].bank : nullptr;
-    const auto* const focus =
-        bank != nullptr && isPlace ? bank->foci[static_cast<std::size_t> (event.place)].get() : nullptr;
+    const auto* const focus = bank != nullptr && std::isfinite (event.amplitude) ? bank->at (event.place) : nullptr;
 
     if (focus == nullptr || focus->synthesiser.channelCount() != ceramics || focus->forceCount() > maximumForces)
     {
         ++counts.empty;
-        return;
+        return noteBegun (event, nullptr);
     }
 
     if (settings.retrigger == RetriggerBehaviour::restart)
@@ -233,6 +245,7 @@ void FocusVoices::trigger (const FocusEvent& event)
     voice.holdsBrake = settings.noteOff == NoteOffBehaviour::brake && focus->brake.has_value();
     ++banks[static_cast<std::size_t> (current)].users;
     ++counts.triggered;
+    noteBegun (event, &voice);
 }
 
 FocusPlayer::FocusPlayer (int ceramicsToUse, double sampleRate, PlayerSettings playerSettings)

@@ -9,6 +9,7 @@
 #include <complex>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace antinode
@@ -35,6 +36,16 @@ struct PlayerSettings
     RetriggerBehaviour retrigger = RetriggerBehaviour::overlap;
     bool focusOnNote = false; ///< Delays voices so that every focus falls latestFocusSample() after its event.
     double fadeTime = 0.002;  ///< s, of stolen, released and stopped voices.
+};
+
+/** A trigger that was played: the samples of the player's clock that it takes. */
+struct BegunVoice
+{
+    std::uint32_t request = 0; ///< Of its event.
+    bool plays = false;        ///< False: its place has no focus, and all that follows means nothing.
+    std::int64_t onset = 0;    ///< The first sample that sounds,
+    std::int64_t focus = 0;    ///< that on which the focus falls,
+    std::int64_t end = 0;      ///< and the one from which nothing sounds any more, where it is neither held nor faded.
 };
 
 /** How often things happened since the start. */
@@ -73,6 +84,12 @@ public:
     int activeVoices() const;
 
     const PlayerCounters& counters() const { return counts; }
+
+    /** The sample of the player's clock that comes next. [audio thread] */
+    std::int64_t time() const { return clock; }
+
+    /** The triggers since the last call, at most mostBegun; valid until the next block. [audio thread] */
+    std::span<const BegunVoice> takeBegun() { return std::span (begun).first (std::exchange (begunCount, 0)); }
 
     /** Ends all voices at once, without a fade. [audio thread] */
     void reset();
@@ -154,6 +171,8 @@ protected:
     std::array<Voice, allVoices> voices {};
 
 private:
+    static constexpr std::size_t mostBegun = 256;
+
     using Factors = std::array<std::complex<double>, PlayableBrake::maximumOscillations>;
 
     struct UsedBank
@@ -165,6 +184,7 @@ private:
     void takeBank();
     void handle (const FocusEvent&);
     void trigger (const FocusEvent&);
+    void noteBegun (const FocusEvent&, const Voice*);
     void fade (Voice&);
     void release (int place);
     void releaseBrake (Voice&);
@@ -181,6 +201,8 @@ private:
     int current = -1;                  ///< Index into banks of the one that triggers use.
     std::vector<Factors> brakeFactors; ///< A set for each voice.
     PlayerCounters counts;
+    std::array<BegunVoice, mostBegun> begun {};
+    std::size_t begunCount = 0;
 };
 
 /** Overlapping foci, each with its own design and amplitude, summed into one channel per ceramic: the voices with their

@@ -7,23 +7,19 @@
 
 namespace antinode
 {
-bool TriggerQueue::push (const FocusEvent& event, std::uint64_t askedAt)
+bool TriggerQueue::push (const Fired& trigger)
 {
     const std::lock_guard lock (pushing);
-    return waiting.push ({ event, askedAt });
+    return waiting.push (trigger);
 }
 
-TriggerQueue::Taken TriggerQueue::pop (std::span<FocusEvent> events)
+std::pair<std::size_t, std::uint64_t> TriggerQueue::pop (std::span<Fired> fired)
 {
     // First how many, then the stop: so none of them was asked for after a stop that is not seen yet.
-    auto left = std::min (waiting.size(), events.size());
-    Taken taken { 0, stops.now() };
-
-    for (; left > 0; --left)
-        if (const auto next = waiting.pop().value(); next.askedAt == taken.stop)
-            events[taken.count++] = next.event;
-
-    return taken;
+    const auto count = std::min (waiting.size(), fired.size());
+    const auto stop = stops.now();
+    std::generate_n (fired.begin(), count, [this] { return waiting.pop().value(); });
+    return { count, stop };
 }
 
 void AudioEntry::prepare (double sampleRate)
@@ -34,16 +30,49 @@ void AudioEntry::prepare (double sampleRate)
     waiting.reset();
 }
 
+/** Those of the queue that are due in this block, and those that were scheduled earlier; void ones are told. A newer
+    stop than the last one comes first. */
+std::size_t AudioEntry::takeFired (std::span<FocusEvent> events, int count)
+{
+    const auto [taken, stop] = triggers.pop (fired);
+    std::size_t due = 0;
+
+    if (std::exchange (playedStop, stop) != stop)
+        events[due++] = { 0, FocusEventKind::stopAll, 0, 0 };
+
+    const auto place = [&] (const TriggerQueue::Fired& each)
+    {
+        if (each.askedAt != stop)
+        {
+            if (each.event.request != 0)
+                playReports.stopBefore (each.event.request);
+        }
+        else if (each.due < position + count || scheduledCount == scheduled.size())
+        {
+            events[due] = each.event;
+            events[due++].offset = static_cast<int> (std::max<std::int64_t> (0, each.due - position));
+        }
+        else
+            scheduled[scheduledCount++] = each;
+    };
+
+    const auto earlier = std::exchange (scheduledCount, 0);
+
+    // One that is kept moves to the front of where it was, never behind what is still to be looked at.
+    for (std::size_t i = 0; i < earlier; ++i)
+        place (scheduled[i]);
+
+    std::for_each_n (fired.begin(), taken, place);
+    return due;
+}
+
 /** The events of a block with those that came from elsewhere before them; a note becomes a place of the bank, as loud
    as the gain has it. Only stops are left where notes play nothing. */
-std::span<const FocusEvent> AudioEntry::gather (std::span<const FocusEvent> events, double focusGain)
+std::span<const FocusEvent> AudioEntry::gather (std::span<const FocusEvent> events, int samples, double focusGain)
 {
     const std::span all (blockEvents);
-    const auto [fired, stop] = triggers.pop (all.subspan (1, TriggerQueue::capacity));
-    const auto isStopped = std::exchange (playedStop, stop) != stop;
     const auto playedNotes = notes();
-    auto count = 1 + fired;
-    all.front() = { 0, FocusEventKind::stopAll, 0, 0 };
+    auto count = takeFired (all, samples);
 
     for (const auto& event : events.first (std::min (events.size(), EventDelay::mostPerBlock)))
         if (isStop (event))
@@ -55,28 +84,53 @@ std::span<const FocusEvent> AudioEntry::gather (std::span<const FocusEvent> even
             all[count++] = { event.offset, event.kind, bankPlaceOf (event.place, playedNotes),
                              event.amplitude * focusGain };
 
-    return all.first (count).subspan (isStopped ? 0 : 1);
+    const auto gathered = all.first (count);
+
+    // Few, and nearly in order: what came earlier stays before what is for the same sample.
+    for (auto next = gathered.begin(); next != gathered.end(); ++next)
+        std::rotate (std::upper_bound (gathered.begin(), next, *next,
+                                       [] (const auto& a, const auto& b) { return a.offset < b.offset; }),
+                     next, next + 1);
+
+    if (std::any_of (gathered.begin(), gathered.end(), isStop))
+        playReports.stop (played.levels);
+
+    return gathered;
 }
 
 template <typename Sample>
 void AudioEntry::process (const AudioBlock<Sample>& block, const PlayControls& controls)
 {
+    sampleClock.begin (position, block.count, preparedRate, std::chrono::steady_clock::now());
+
     if (auto* const current = paths.current (preparedRate, block.count))
     {
         auto now = controls;
         now.isArmed = controls.isArmed && ! paths.isLeaving();
         fullScale = current->model().fullScaleVoltage;
         current->process (block,
-                          waiting.process (gather (block.events, controls.focusGain), block.count,
+                          waiting.process (gather (block.events, block.count, controls.focusGain), block.count,
                                            current->noteDelay (controls), paths.isLeaving()),
                           now, played);
-        return;
+        auto& voices = current->voices();
+        playReports.begin (voices.takeBegun(), position + block.count - voices.time() + current->lateSamples(),
+                           played.levels);
     }
+    else
+        playSilence (block);
 
-    // Triggers wait for a path, but not beyond a stop.
+    position += block.count;
+    playReports.endBlock (position, played.levels.takeBlockPeak(), played.levels);
+}
+
+/** Triggers wait for a path, but not beyond a stop. */
+template <typename Sample>
+void AudioEntry::playSilence (const AudioBlock<Sample>& block)
+{
     if (std::any_of (block.events.begin(), block.events.end(), isStop))
         stopCount.stopByNote();
 
+    playReports.stop (played.levels);
     block.silence();
 }
 

@@ -2,6 +2,7 @@
 
 #include "DevicePath.h"
 #include "InstrumentPath.h"
+#include "PlayReports.h"
 
 #include <antinode_base/LockFreeExchange.h>
 #include <antinode_engine/FocusEvents.h>
@@ -12,6 +13,7 @@
 #include <memory>
 #include <mutex>
 #include <span>
+#include <utility>
 
 namespace antinode
 {
@@ -51,30 +53,26 @@ public:
     /** @param stopsToCount  outlive this */
     explicit TriggerQueue (const StopCount& stopsToCount) : stops (stopsToCount) {}
 
-    /** @param askedAt  StopCount::now() of when it was asked for
-        @return         false where `capacity` wait already: then this one is dropped. [any but the audio thread] */
-    bool push (const FocusEvent&, std::uint64_t askedAt);
-
-    /** What was taken: those that were asked for since the newest stop, which the audio thread is to play first. */
-    struct Taken
-    {
-        std::size_t count = 0;
-        std::uint64_t stop = 0;
-    };
-
-    /** Takes all that wait, the oldest first. @param events  room for `capacity` [audio thread] */
-    Taken pop (std::span<FocusEvent> events);
-
-private:
-    struct Waiting
+    /** A trigger. */
+    struct Fired
     {
         FocusEvent event;
-        std::uint64_t askedAt = 0;
+        std::uint64_t askedAt = 0; ///< StopCount::now() of when it was asked for.
+        std::int64_t due = 0;      ///< The sample of the session's clock that it is for; one that is over: at once.
     };
 
+    /** @return  false where `capacity` wait already: then this one is dropped. [any but the audio thread] */
+    bool push (const Fired&);
+
+    /** Takes all that wait, the oldest first, with those that a stop has made void.
+        @param fired  room for `capacity`
+        @return       how many, and the newest stop, which the audio thread is to play first [audio thread] */
+    std::pair<std::size_t, std::uint64_t> pop (std::span<Fired> fired);
+
+private:
     const StopCount& stops;
     std::mutex pushing;
-    RingQueue<Waiting, capacity> waiting;
+    RingQueue<Fired, capacity> waiting;
 };
 
 /** Where the audio thread enters a session, which derives from it: notes and triggers in, the path that plays, meters
@@ -93,10 +91,25 @@ public:
     double sampleRate() const { return preparedRate; }
 
     /** Fires a place of the bank with the next block, unless there was a stop since it was asked for.
-        @param amplitude  0 to 1 @param askedAt  number of the stop before it [any but the audio thread] */
-    void fire (int place, double amplitude, std::uint64_t askedAt)
+        @param amplitude  0 to 1 @param askedAt  number of the stop before it
+        @param request    of whom reports() tell; 0: nobody asks
+        @param due        the sample of clock() that it is for, from now on mostScheduled at once; 0: the next block
+        @return           false where too many wait [any but the audio thread] */
+    bool fire (int place, double amplitude, std::uint64_t askedAt, std::uint32_t request = 0, std::int64_t due = 0)
     {
-        triggers.push ({ 0, FocusEventKind::trigger, place, amplitude }, askedAt);
+        return triggers.push ({ { 0, FocusEventKind::trigger, place, amplitude, request }, askedAt, due });
+    }
+
+    /** What becomes of triggers with a request. */
+    PlayReports& reports() { return playReports; }
+
+    /** When samples are played, counted from the session's begin. */
+    const SampleClock& clock() const { return sampleClock; }
+
+    /** The marker of the block that was played last, as long as it. @param width  samples [audio thread] */
+    void writeMarker (float* to, int count, std::int64_t width)
+    {
+        playReports.writeMarker (to, count, position - count, width);
     }
 
     /** Fades all voices out with the next block, and voids what was asked for before: a stop by a button, by a message,
@@ -123,7 +136,12 @@ protected:
     InstrumentMeters played; ///< Of what plays.
 
 private:
-    std::span<const FocusEvent> gather (std::span<const FocusEvent> events, double focusGain);
+    static constexpr std::size_t mostScheduled = 1024;
+
+    std::span<const FocusEvent> gather (std::span<const FocusEvent> events, int count, double focusGain);
+    std::size_t takeFired (std::span<FocusEvent> events, int count);
+    template <typename Sample>
+    void playSilence (const AudioBlock<Sample>&);
 
     std::atomic<NoteMeaning> meaning { NoteMeaning::nothing };
     std::atomic<double> preparedRate { 0 }, fullScale { 0 };
@@ -132,7 +150,13 @@ private:
     EventDelay waiting; ///< Of the audio thread: notes until filters give what comes with them, and all events while
                         ///< the path ramps out for another one. It lasts longer than a path.
     std::uint64_t playedStop = 0; ///< The newest one, of the audio thread as the next line.
-    std::array<FocusEvent, 1 + TriggerQueue::capacity + EventDelay::mostPerBlock> blockEvents {};
+    std::array<TriggerQueue::Fired, mostScheduled> scheduled {}; ///< That are due later.
+    std::size_t scheduledCount = 0;
+    std::array<TriggerQueue::Fired, TriggerQueue::capacity> fired {};
+    std::array<FocusEvent, 1 + mostScheduled + TriggerQueue::capacity + EventDelay::mostPerBlock> blockEvents {};
+    std::int64_t position = 0; ///< Of the session's clock.
+    PlayReports playReports;
+    SampleClock sampleClock;
     PathExchange<InstrumentPath> paths;
 };
 } // namespace antinode

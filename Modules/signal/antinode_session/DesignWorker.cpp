@@ -4,10 +4,14 @@
 
 #include <antinode_base/Watch.h>
 #include <antinode_documents/FocusFile.h>
+#include <antinode_documents/SkinThresholds.h>
+#include <antinode_engine/OfflineRender.h>
+#include <antinode_fingers/Sensation.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_focus/FocusDesign.h>
 #include <antinode_focus/FocusPlaces.h>
 #include <antinode_focus/FocusScore.h>
+#include <antinode_model/Surface.h>
 
 #include <nlohmann/json.hpp>
 
@@ -116,6 +120,17 @@ FocusDesign PlaceDesigner::withAllGuards (FocusDesign design, double share, cons
 
 namespace
 {
+/** What is felt at its place, dB SL, as antinode_render says it. */
+double levelAt (const ModalModel& model, const PreparedDesign& design, Playback playback, double endSeconds)
+{
+    const auto render = renderOffline (model, design.program,
+                                       { playback, std::max (endSeconds, 2 * design.program.focusTime), 512,
+                                         Eigen::MatrixXd (0, model.coordinates()) });
+    const auto felt = feltMotion (model, render.modalVelocities, render.sampleRate, findSkinThreshold ({}));
+    return sensationLevel (
+        feltAmount (shapesAt (model, design.at.first, design.at.second) * felt.modal, felt.sampleRate));
+}
+
 constexpr auto partInterval = std::chrono::milliseconds (100); ///< Between parts of a bank that are handed over.
 
 /** Designs younger than this are finished even if outdated, so that a moving parameter is audible. */
@@ -134,6 +149,16 @@ void requireRoom (const PlayableFocus* focus, const DesignRequest& request, int 
         requireRoomInBank (*focus, place == FocusBank::livePlace ? 1 : others);
 }
 } // namespace
+
+PrepareDesign preparesFocus (FocusDescription description)
+{
+    return [description = std::move (description)] (const ModalModel& model, Playback playback)
+    {
+        const auto design = designFocus (model, description, playback, DesignExtent::playable);
+        const auto& target = design.description.targets.front();
+        return PreparedDesign { design.program, peakVoltage (design), design.captured, { target.x, target.y } };
+    };
+}
 
 DesignWorker::DesignWorker (BankHandOver& handOverToUse) : handOver (handOverToUse), thread ([this] { run(); }) {}
 
@@ -202,6 +227,84 @@ void DesignWorker::waitFor (std::span<const int> places)
     urgent.clear();
 }
 
+void DesignWorker::prepare (int place, PrepareDesign design, std::function<void (const PreparedFocus&)> ready)
+{
+    const std::lock_guard lock (mutex);
+    prepared[place] = { std::move (design), std::move (ready) };
+    changed.notify_all();
+}
+
+/** Under the mutex. */
+bool DesignWorker::isAnyUnprepared() const
+{
+    return accepted
+           && std::any_of (prepared.begin(), prepared.end(),
+                           [] (const auto& each) { return ! each.second.isDesigned; });
+}
+
+/** Before the notes' places that are not designed yet, until something else is asked for. */
+void DesignWorker::designPrepared()
+{
+    for (;;)
+    {
+        int place = 0;
+        Prepared wanted;
+        {
+            const std::lock_guard lock (mutex);
+            const auto found = std::find_if (prepared.begin(), prepared.end(),
+                                             [] (const auto& each) { return ! each.second.isDesigned; });
+
+            if (! accepted || found == prepared.end() || next || ! touches.empty() || isStopping)
+                return;
+
+            found->second.isDesigned = true;
+            place = found->first;
+            wanted = found->second;
+        }
+
+        wanted.ready (designPreparedPlace (place, wanted.design));
+    }
+}
+
+PreparedFocus DesignWorker::designPreparedPlace (int place, const PrepareDesign& prepareDesign)
+{
+    const auto index = static_cast<std::size_t> (place - FocusBank::firstPreparedPlace);
+    bank.prepared.resize (std::max (bank.prepared.size(), index + 1));
+    auto& kept = bank.prepared[index];
+    kept = nullptr;
+    PreparedFocus result;
+    const WatchScope scope (
+        [this]
+        {
+            const std::lock_guard lock (mutex);
+            return ! isStopping;
+        });
+
+    try
+    {
+        const auto design = prepareDesign (*accepted->model, accepted->playback);
+        auto made = std::make_shared<const PlayableFocus> (design.program, accepted->playback);
+        requireRoomBeside (bank, *made);
+        result.endSeconds = static_cast<double> (made->endSample) / accepted->playback.sampleRate;
+        result.focusSeconds = design.program.focusTime;
+        result.peakVoltage = design.peakVoltage;
+        result.captured = design.captured;
+        result.sensationLevel = levelAt (*accepted->model, design, accepted->playback, result.endSeconds);
+        kept = std::move (made);
+    }
+    catch (const Cancelled&)
+    {
+        result.error = "the program ends";
+    }
+    catch (const std::exception& failure)
+    {
+        result.error = failure.what();
+    }
+
+    handOverBank();
+    return result;
+}
+
 DesignProgress DesignWorker::progress() const
 {
     const std::lock_guard lock (mutex);
@@ -224,7 +327,8 @@ void DesignWorker::run()
             std::unique_lock lock (mutex);
             isWorking = false;
             changed.notify_all();
-            changed.wait (lock, [this] { return next.has_value() || ! touches.empty() || isStopping; });
+            changed.wait (lock,
+                          [this] { return next.has_value() || ! touches.empty() || isAnyUnprepared() || isStopping; });
 
             if (isStopping)
                 return;
@@ -233,7 +337,15 @@ void DesignWorker::run()
             isWorking = true;
 
             if (isNew)
+            {
+                const auto isSame = accepted && accepted->model == next->model
+                                    && accepted->playback.sampleRate == next->playback.sampleRate;
+
+                for (auto& [place, each] : prepared)
+                    each.isDesigned = each.isDesigned && isSame;
+
                 accepted = std::move (*next);
+            }
 
             next.reset();
             asked = nextRequestTime;
@@ -243,6 +355,7 @@ void DesignWorker::run()
             designBank (*accepted, asked);
 
         designTouches();
+        designPrepared();
     }
 }
 
@@ -280,6 +393,7 @@ void DesignWorker::designBank (const DesignRequest& request, Clock::time_point a
         }
 
         designTouches();
+        designPrepared();
     }
 }
 

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -47,6 +48,31 @@ private:
     bool areGuardsSure = false;        ///< False: limits moved since they were found.
 };
 
+/** What a prepared place plays. */
+struct PreparedDesign
+{
+    VoltageProgram program;
+    double peakVoltage = 0;       ///< V, at an amplitude of 1.
+    double captured = 1;          ///< Of the wanted field by the controlled modes, 0 to 1.
+    std::pair<double, double> at; ///< x, y in m: where it is to be felt.
+};
+
+/** Designs one for a device. @throws InputError  why there is none [worker] */
+using PrepareDesign = std::function<PreparedDesign (const ModalModel&, Playback)>;
+
+/** What designs a focus. [any] */
+PrepareDesign preparesFocus (FocusDescription);
+
+/** What a prepared place needs and gives. */
+struct PreparedFocus
+{
+    std::string error;         ///< Why there is none; empty: there is one, and the next lines say what it is.
+    double peakVoltage = 0;    ///< V, at an amplitude of 1.
+    double captured = 0;       ///< Of the wanted field by the controlled modes, 0 to 1.
+    double sensationLevel = 0; ///< dB SL at the target, without a finger on it.
+    double focusSeconds = 0, endSeconds = 0; ///< After the trigger.
+};
+
 /** Designs banks on a thread of its own and hands them over: the focus at its own place first, then the wanted notes'
    places one by one, then the others in parts (BankOrder). A newer request replaces one that has not been finished:
    rapid changes of a parameter coalesce, and a design that takes long is given up. Until a place is designed again it
@@ -79,6 +105,11 @@ public:
         [any but the audio thread] */
     bool touch (double x, double y, std::function<void (int place)> ready, std::function<bool()> isWanted = {});
 
+    /** Designs a focus for a prepared place, after what is under way, and again whenever another request comes with
+        another model or playback; of each model once. @param place  from FocusBank::firstPreparedPlace on
+        @param ready  called on the worker's thread each time [any but the audio thread] */
+    void prepare (int place, PrepareDesign, std::function<void (const PreparedFocus&)> ready);
+
     /** Waits until the newest request is designed and handed over at these places, which come before all others.
         @throws Cancelled  where a watch of this thread says no
         [any but a real-time audio thread] */
@@ -101,7 +132,17 @@ private:
         bool isVoid() const { return isWanted && ! isWanted(); }
     };
 
+    struct Prepared
+    {
+        PrepareDesign design;
+        std::function<void (const PreparedFocus&)> ready;
+        bool isDesigned = false; ///< For what is accepted.
+    };
+
     void run();
+    bool isAnyUnprepared() const;
+    void designPrepared();
+    PreparedFocus designPreparedPlace (int place, const PrepareDesign&);
     void designBank (const DesignRequest&, Clock::time_point asked);
     bool designPlace (const DesignRequest&, int place, const FocusDescription&);
     bool mayContinue (int place, Clock::time_point begin) const;
@@ -117,6 +158,7 @@ private:
     mutable std::condition_variable changed;
     std::optional<DesignRequest> next; ///< Under the mutex, as all that follows.
     std::vector<Touch> touches;
+    std::map<int, Prepared> prepared;
     std::vector<int> urgent; ///< Urgent places.
     Places isReady {};       ///< The places of the newest request that were handed over.
     Clock::time_point nextRequestTime;

@@ -2,10 +2,12 @@
 
 #include "PlayControls.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace antinode
@@ -88,12 +90,19 @@ public:
     static constexpr int probes = 8;
 
     /** [audio thread] @param volts  the largest magnitude in a block */
-    void notePeak (int ceramic, float volts) { peaks.note (ceramic, volts); }
+    void notePeak (int ceramic, float volts)
+    {
+        peaks.note (ceramic, volts);
+        blockPeak = std::max (blockPeak, volts);
+    }
     void noteProbe (int probe, float metresPerSecond) { probePeaks.note (probe, metresPerSecond); }
     void addLimited (int ceramic, std::int64_t samples)
     {
         if (samples > 0)
+        {
             limited[static_cast<std::size_t> (ceramic)] += samples;
+            allLimited += samples;
+        }
     }
     void addTriggered (std::int64_t voices) { triggers += voices; }
     void noteState (bool isMutedForBadNumbers, int voices)
@@ -101,6 +110,11 @@ public:
         badNumbers = isMutedForBadNumbers;
         activeVoices = voices;
     }
+
+    /** The largest voltage of all ceramics since the last call, V, and all samples that limiters have clamped.
+        [audio thread] */
+    float takeBlockPeak() { return std::exchange (blockPeak, 0.0F); }
+    std::int64_t allLimitedSamples() const { return allLimited; }
 
     /** The largest voltage since the last call, V. One reader. [any] */
     float takePeak (int ceramic) { return peaks.take (ceramic); }
@@ -125,6 +139,8 @@ private:
     std::atomic<bool> badNumbers { false };
     std::atomic<int> activeVoices { 0 };
     std::atomic<std::int64_t> triggers { 0 };
+    float blockPeak = 0; ///< Of the audio thread, as the next line.
+    std::int64_t allLimited = 0;
 };
 
 /** The last second or so of the first probe's velocity, to be drawn: each entry is the largest and the least value of

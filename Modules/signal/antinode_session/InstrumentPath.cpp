@@ -39,12 +39,12 @@ InstrumentPath::InstrumentPath (std::shared_ptr<const ModalModel> model, double 
     instrument.gainNode().setMutes (listening.idle);
     instrument.graph.prepare ({ rate, isWide ? longestWidePart : longestPart });
     play (instrument.graph, instrument.limiter, instrument.lags);
-    designs = std::make_unique<DesignWorker> (instrument.voiceNode().voices().handOver());
+    designs = std::make_unique<DesignWorker> (voices().handOver());
 }
 
 void InstrumentPath::setControls (const PlayControls& controls)
 {
-    instrument.voiceNode().voices().setSettings (controls.notes);
+    voices().setSettings (controls.notes);
     instrument.gainNode().setGain (controls.outputTrim);
     instrument.gainNode().setMutes (controls.mutes | listening.idle);
     setArmed (controls.isArmed);
@@ -64,10 +64,9 @@ void InstrumentPath::process (const AudioBlock<Sample>& block, std::span<const F
     instrument.graph.processParts (block.count, events,
                                    [&] (int offset, int count, Outputs outputs)
                                    { writePart (block, offset, count, outputs, meters); });
-    const auto& voices = instrument.voiceNode().voices();
-    const auto triggered = voices.counters().triggered;
+    const auto triggered = voices().counters().triggered;
     meters.levels.addTriggered (triggered - std::exchange (countedTriggers, triggered));
-    meters.levels.noteState (instrument.limiterNode().limiter().isMuted(), voices.activeVoices());
+    meters.levels.noteState (instrument.limiterNode().limiter().isMuted(), voices().activeVoices());
 }
 
 /** Before anything is written: the outputs may lie where the inputs are. */

@@ -41,6 +41,9 @@ public:
     /** By how many samples notes are to wait. [audio thread] */
     std::int64_t noteDelay (const PlayControls& controls) const { return delays[controls.latency]; }
 
+    /** What plays its foci. [audio thread] */
+    FocusVoices& voices() { return instrument.voiceNode().voices(); }
+
     /** Plays a block. Blocks of any length: long ones are played in parts.
         @param events  in place of the block's, whose notes are places of the bank here
         [audio thread] allocates nothing, locks nothing */

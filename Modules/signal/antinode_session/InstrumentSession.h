@@ -6,9 +6,13 @@
 #include "NoteBank.h"
 
 #include <atomic>
+#include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -51,6 +55,28 @@ public:
         [any but the audio thread] */
     FollowingRequests& following() const { return *followingRequests; }
 
+    /** Makes a design for a place of its own, for the device as it is and again for each that comes; it plays by play()
+        as soon as its design is ready. Another one takes the place of the one before.
+        @param slot   0 to FocusBank::mostPrepared - 1
+        @param ready  called on a worker's thread each time, with what it needs or why there is none; must not block
+        [any but the audio thread] */
+    void prepareFocus (int slot, PrepareDesign design, std::function<void (const PreparedFocus&)> ready)
+    {
+        const std::lock_guard lock (this->mutex);
+        prepared[slot] = { std::move (design), std::move (ready) };
+        newlyPrepared.insert (slot);
+        this->wake.notify_all();
+    }
+
+    /** Plays what was prepared. @param amplitude, request, due  as AudioEntry::fire; void after a stop
+        @return  false where too many wait [any but the audio thread] */
+    bool play (int slot, double amplitude, std::uint32_t request, std::int64_t due = 0)
+    {
+        return AudioEntry::fire (FocusBank::firstPreparedPlace + slot, amplitude, stops().now(), request, due);
+    }
+
+    using AudioEntry::clock, AudioEntry::reports, AudioEntry::writeMarker;
+
     LevelMeters& meters() { return played.levels; }
 
 protected:
@@ -82,6 +108,31 @@ protected:
         return true;
     }
 
+    /** From now on this plays. */
+    void playOn (std::unique_ptr<InstrumentPath> made)
+    {
+        path = made.get();
+        isPathServed = false;
+        give (std::move (made));
+    }
+
+    /** Asks the path for what was prepared since the last call, of a new path for all. */
+    void servePrepared()
+    {
+        const std::lock_guard lock (this->mutex);
+
+        if (path == nullptr)
+            return;
+
+        const auto isNew = ! std::exchange (isPathServed, true);
+
+        for (const auto& [slot, each] : prepared)
+            if (isNew || newlyPrepared.contains (slot))
+                path->foci().prepare (FocusBank::firstPreparedPlace + slot, each.first, each.second);
+
+        newlyPrepared.clear();
+    }
+
     /** Tells the owner where foci end later or earlier than it knows, for the tail. */
     void tellOfEnd (double seconds)
     {
@@ -101,7 +152,12 @@ private:
         awaitedNotes = std::move (notes);
     }
 
-    std::optional<std::vector<int>> awaitedNotes; ///< Under the lock.
-    double toldEnd = 0;                           ///< s
+    using Ready = std::function<void (const PreparedFocus&)>;
+
+    std::optional<std::vector<int>> awaitedNotes;            ///< Under the lock, as the next lines.
+    std::map<int, std::pair<PrepareDesign, Ready>> prepared; ///< By slot.
+    std::set<int> newlyPrepared;
+    bool isPathServed = false; ///< Of the session's thread, as the next line.
+    double toldEnd = 0;        ///< s
 };
 } // namespace antinode

@@ -224,11 +224,8 @@ void Session::designFired (const std::vector<FiredFocus>& fired)
             },
             [&entry, each] { return entry.stops().now() == each.askedAt; });
 }
-} // namespace antinode
 
 // The work of a session's thread: takes documents, solves devices, builds paths.
-namespace antinode
-{
 namespace
 {
 constexpr double traceEntriesPerSecond = 2000;
@@ -292,6 +289,7 @@ void Session::step (const Requests& wanted)
             publish();
     }
 
+    servePrepared();
     designFired (wanted.fired);
 }
 
@@ -398,9 +396,8 @@ void Session::buildPath()
         auto made = std::make_unique<InstrumentPath> (
             loadedModel, rate, InstrumentNodes { {}, graph, {}, probeShapes() },
             deviceFollowing.listen (fingers.empty() ? present.model : loadedModel, rate));
-        path = made.get();
         played.trace.prepare (std::max (1, static_cast<int> (rate / traceEntriesPerSecond)));
-        give (std::move (made));
+        playOn (std::move (made));
         ringing = static_cast<double> (path->lateSamples()) / rate + path->ringingSeconds();
     }
     catch (const std::exception& failure)

@@ -128,6 +128,7 @@ void TouchSession::step()
     if (path != nullptr)
         serveFoci();
 
+    servePrepared();
     tellOfEnd (focusProgress().endSeconds);
 
     if (path != nullptr && designedFor != settings)
@@ -153,11 +154,10 @@ void TouchSession::buildPath()
         auto made = std::make_unique<InstrumentPath> (present.model, rate, std::move (nodes),
                                                       deviceFollowing.listen (present.model, rate), noteDelays (rate));
         makeDesigner();
-        path = made.get();
         isPathNew = true;
         ringing = made->ringingSeconds();
         late = made->lateSamples();
-        give (std::move (made));
+        playOn (std::move (made));
     }
     catch (const std::exception& failure)
     {
@@ -347,11 +347,8 @@ bool TouchSession::hasNews()
 
     return hasOtherPath() || owner.settings (settings) != settings || designedFor != settings;
 }
-} // namespace antinode
 
 // What of a touch session follows the device and the fingers that rest: its follower, its designer and its foci.
-namespace antinode
-{
 namespace
 {
 constexpr auto focusRest = std::chrono::milliseconds (500); // for which fingers stay before foci are designed for them

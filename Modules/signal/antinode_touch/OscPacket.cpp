@@ -251,4 +251,71 @@ std::span<const std::byte> OscBytes::fail (TouchFault fault)
     bytes = {};
     return {};
 }
+
+namespace
+{
+/** Appends fields as OSC 1.0 has them. */
+struct OscWriter
+{
+    std::string types = ",";
+    std::vector<std::byte> bytes;
+
+    void number (std::uint64_t value, int size)
+    {
+        for (auto shift = 8 * (size - 1); shift >= 0; shift -= 8)
+            bytes.push_back (static_cast<std::byte> (value >> shift & 0xFFU));
+    }
+
+    void text (std::string_view value)
+    {
+        for (const auto character : value)
+            bytes.push_back (static_cast<std::byte> (character));
+
+        bytes.resize ((bytes.size() / 4 + 1) * 4);
+    }
+
+    void operator() (std::int32_t value) { add ('i', std::bit_cast<std::uint32_t> (value), 4); }
+    void operator() (float value) { add ('f', std::bit_cast<std::uint32_t> (value), 4); }
+    void operator() (std::int64_t value) { add ('h', std::bit_cast<std::uint64_t> (value), 8); }
+    void operator() (double value) { add ('d', std::bit_cast<std::uint64_t> (value), 8); }
+    void operator() (OscTimeTag value) { add ('t', value.value, 8); }
+    void operator() (bool value) { types += value ? 'T' : 'F'; }
+    void operator() (OscNil) { types += 'N'; }
+    void operator() (OscInfinitum) { types += 'I'; }
+
+    void operator() (const std::string& value)
+    {
+        types += 's';
+        text (value.substr (0, value.find ('\0')));
+    }
+
+    void operator() (const std::vector<std::byte>& value)
+    {
+        types += 'b';
+        number (value.size(), 4);
+        bytes.insert (bytes.end(), value.begin(), value.end());
+        bytes.resize ((bytes.size() + 3) / 4 * 4);
+    }
+
+private:
+    void add (char type, std::uint64_t value, int size)
+    {
+        types += type;
+        number (value, size);
+    }
+};
+} // namespace
+
+std::vector<std::byte> writeOscMessage (const OscMessage& message)
+{
+    OscWriter arguments, packet;
+
+    for (const auto& argument : message.arguments)
+        std::visit (arguments, argument);
+
+    packet.text (message.address);
+    packet.text (arguments.types);
+    packet.bytes.insert (packet.bytes.end(), arguments.bytes.begin(), arguments.bytes.end());
+    return std::move (packet.bytes);
+}
 } // namespace antinode

@@ -15,16 +15,20 @@ namespace antinode
 {
 struct OscNil
 {
+    bool operator== (const OscNil&) const = default;
 };
 
 struct OscInfinitum
 {
+    bool operator== (const OscInfinitum&) const = default;
 };
 
 /** Seconds since 1900, with 32 binary places; 1 = at once. */
 struct OscTimeTag
 {
     std::uint64_t value = 1;
+
+    bool operator== (const OscTimeTag&) const = default;
 };
 
 /** The types i f s b h d T F N I t. */
@@ -54,6 +58,9 @@ struct OscPacket
 /** Reads a message, or bundles in each other, to 8 deep. Claimed sizes are checked before they are used: memory is
     bounded by the size of the packet. [any] */
 OscPacket readOscPacket (std::span<const std::byte> packet);
+
+/** A datagram of one message. [any] */
+std::vector<std::byte> writeOscMessage (const OscMessage&);
 
 /** Takes the fields of OSC 1.0 off the front of some bytes: big-endian, each a multiple of 4 long. After the first
     fault nothing is left and every field is zero or empty, so that only the end of a series need be checked. */

@@ -93,7 +93,8 @@ void TouchMessages::readLift (const OscMessage& message, std::vector<Touch>& tou
     }
 }
 
-std::vector<Touch> TouchMessages::read (std::span<const std::byte> bytes, Time now, TouchCounters& counters)
+std::vector<Touch> TouchMessages::read (std::span<const std::byte> bytes, Time now, TouchCounters& counters,
+                                        std::vector<OscCommand>* commands)
 {
     ++counters.packets;
     const auto packet = readOscPacket (bytes);
@@ -107,7 +108,16 @@ std::vector<Touch> TouchMessages::read (std::span<const std::byte> bytes, Time n
     std::vector<Touch> touches;
 
     for (const auto& message : packet.messages)
-        readMessage (message, now, touches, counters);
+    {
+        const auto isTouch = readMessage (message, now, touches, counters);
+
+        // A stop is a touch, and is answered as a command.
+        if (commands != nullptr && message.address.starts_with ("/antinode/")
+            && (! isTouch || message.address == OscPacket::stop))
+            commands->push_back ({ message, touches.size() });
+        else if (! isTouch)
+            counters.count (TouchFault::unknownAddress);
+    }
 
     return touches;
 }
@@ -119,7 +129,8 @@ std::vector<Touch> TouchMessages::endSilent (Time now)
     return touches;
 }
 
-void TouchMessages::readMessage (const OscMessage& message, Time now, std::vector<Touch>& touches,
+/** @return  false where it is no touch */
+bool TouchMessages::readMessage (const OscMessage& message, Time now, std::vector<Touch>& touches,
                                  TouchCounters& counters)
 {
     if (message.address == "/antinode/focus")
@@ -134,7 +145,9 @@ void TouchMessages::readMessage (const OscMessage& message, Time now, std::vecto
         readLift (message, touches, counters);
     else if (message.address == TuioSources::address)
         sources.read (message, now, touches, counters);
-    else if (! message.address.starts_with ("/tuio/"))
-        counters.count (TouchFault::unknownAddress);
+    else
+        return message.address.starts_with ("/tuio/");
+
+    return true;
 }
 } // namespace antinode

@@ -11,6 +11,13 @@
 
 namespace antinode
 {
+/** A message that is no touch, and how many touches of its packet came before it. */
+struct OscCommand
+{
+    OscMessage message;
+    std::size_t touchesBefore = 0;
+};
+
 /** From datagrams to touches, by these OSC 1.0 messages:
 
     - `/antinode/focus x_mm [y_mm [amplitude]]`: a focus at a place in mm; y = 0, amplitude = 1 where left out;
@@ -31,9 +38,11 @@ public:
     using Time = TuioCursors::Time;
 
     /** The touches of a packet in their order; packets and faults are counted.
-        @param now  times do not go back
+        @param now       times do not go back
+        @param commands  gets the messages below `/antinode/` that are no touches, and stops; none: these are unknown
         [any] throws nothing but std::bad_alloc; memory is bounded by the size of the packet */
-    std::vector<Touch> read (std::span<const std::byte> packet, Time now, TouchCounters&);
+    std::vector<Touch> read (std::span<const std::byte> packet, Time now, TouchCounters&,
+                             std::vector<OscCommand>* commands = nullptr);
 
     /** What is lifted because its TUIO source has ended without a word. Call it now and then. [any] */
     std::vector<Touch> endSilent (Time now);
@@ -41,7 +50,7 @@ public:
 private:
     void readFinger (const OscMessage&, std::vector<Touch>&, TouchCounters&);
     void readLift (const OscMessage&, std::vector<Touch>&, TouchCounters&);
-    void readMessage (const OscMessage&, Time now, std::vector<Touch>&, TouchCounters&);
+    bool readMessage (const OscMessage&, Time now, std::vector<Touch>&, TouchCounters&);
 
     TuioSources sources;
     std::set<std::int64_t> fingers; ///< Put down by numbers.

@@ -25,6 +25,7 @@ bool TouchRateLimit::allows (Time now)
 namespace
 {
 constexpr int pollMilliseconds = 20;         ///< Until the thread sees that it is to stop.
+constexpr int answerMilliseconds = 2;        ///< Until what has happened is told, where somebody waits for it.
 constexpr std::size_t largestPacket = 65536; ///< More than UDP can transport: nothing is truncated.
 
 void check (const TouchPorts& ports)
@@ -33,6 +34,11 @@ void check (const TouchPorts& ports)
     if (! isIpv4Address (ports.address))
         throw InputError ("Touch input",
                           "the address is \"" + ports.address + "\"; allowed: an IPv4 address, for example 127.0.0.1");
+
+    for (const auto& sender : ports.senders)
+        if (! isIpv4Address (sender))
+            throw InputError ("Touch input",
+                              "a sender is \"" + sender + "\"; allowed: an IPv4 address, for example 192.168.1.20");
 
     for (const auto port : { ports.oscPort, ports.tuioPort })
         if (port < TouchPorts::anyFree || port > 65535)
@@ -45,8 +51,10 @@ void check (const TouchPorts& ports)
 }
 } // namespace
 
-TouchReceiver::TouchReceiver (const TouchPorts& ports, const TouchOptions& options, Callback callbackToUse)
-    : openPorts (ports), callback (std::move (callbackToUse)), messages (options), limit (options.touchesPerSecond)
+TouchReceiver::TouchReceiver (const TouchPorts& ports, const TouchOptions& options, Callback callbackToUse,
+                              OscControl controlToUse)
+    : openPorts (ports), callback (std::move (callbackToUse)), messages (options), limit (options.touchesPerSecond),
+      control (std::move (controlToUse))
 {
     check (ports);
     openPorts.oscPort = open ("OSC", ports.oscPort);
@@ -95,30 +103,85 @@ void TouchReceiver::run()
     // One wait for both sockets; juce's waits for one, and the other's touches would wait with it.
     while (! isStopping)
     {
-        for (const auto i : waitForSockets (handles, pollMilliseconds))
+        for (const auto i : waitForSockets (handles, control.answers ? answerMilliseconds : pollMilliseconds))
+            receive (*sockets[i], buffer);
+
+        try
         {
-            const auto size = sockets[i]->read (buffer.data(), static_cast<int> (buffer.size()), false);
-            receive ([&, packet = std::span (buffer).first (static_cast<std::size_t> (std::max (size, 0)))]
-                     { return messages.read (packet, Clock::now(), current); });
+            for (const auto& touch : messages.endSilent (Clock::now()))
+                forward (touch);
+
+            answer();
+        }
+        catch (const std::exception&)
+        {
+            ++current.failures;
         }
 
-        receive ([this] { return messages.endSilent (Clock::now()); });
+        publish();
     }
 }
 
-template <typename Read>
-void TouchReceiver::receive (const Read& read)
+/** Touches and commands of a packet in their order: a stop ends what was asked for before it. */
+void TouchReceiver::receive (juce::DatagramSocket& socket, std::vector<std::byte>& buffer)
 {
     try
     {
-        for (const auto& touch : read())
-            forward (touch);
+        juce::String address;
+        OscSender sender;
+        const auto size = socket.read (buffer.data(), static_cast<int> (buffer.size()), false, address, sender.port);
+        sender.address = address.toStdString();
+        std::vector<OscCommand> commands;
+        const auto touches = messages.read (std::span (buffer).first (static_cast<std::size_t> (std::max (size, 0))),
+                                            Clock::now(), current, control.take ? &commands : nullptr);
+        auto next = touches.begin();
+
+        for (const auto& [message, touchesBefore] : commands)
+        {
+            for (; next != touches.begin() + static_cast<std::ptrdiff_t> (touchesBefore); ++next)
+                forward (*next);
+
+            take (message, sender);
+        }
+
+        std::for_each (next, touches.end(), [this] (const auto& touch) { forward (touch); });
+        answer();
     }
     catch (const std::exception&)
     {
         ++current.failures;
     }
 
+    publish();
+}
+
+void TouchReceiver::take (const OscMessage& message, const OscSender& sender)
+{
+    const auto& known = openPorts.senders;
+
+    if (! sender.address.starts_with ("127.") && std::find (known.begin(), known.end(), sender.address) == known.end())
+        ++current.strangers;
+    else if (! commandLimit.allows (Clock::now()))
+        ++current.limited;
+    else
+        control.take (message, sender);
+}
+
+/** From the socket for OSC: its port is the one that senders know. */
+void TouchReceiver::answer()
+{
+    if (! control.answers)
+        return;
+
+    for (const auto& [to, message] : control.answers())
+    {
+        const auto packet = writeOscMessage (message);
+        sockets.front()->write (juce::String (to.address), to.port, packet.data(), static_cast<int> (packet.size()));
+    }
+}
+
+void TouchReceiver::publish()
+{
     const std::lock_guard lock (mutex);
     published = current;
 }

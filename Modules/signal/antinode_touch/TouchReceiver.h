@@ -12,6 +12,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace antinode
 {
@@ -29,6 +30,9 @@ struct TouchPorts
 
     /** What TUIO cursors rest on the surface: a kind of finger. Empty: they play foci. */
     std::string finger = {};
+
+    /** IPv4 of other computers whose commands are taken: touches and stops are taken from all. */
+    std::vector<std::string> senders = {};
 };
 
 /** Limits the number in any second. */
@@ -47,6 +51,30 @@ private:
     std::deque<Time> passed; ///< In the last second.
 };
 
+/** Where a message came from, and where its answers go. */
+struct OscSender
+{
+    std::string address; ///< IPv4.
+    int port = 0;
+
+    auto operator<=> (const OscSender&) const = default;
+};
+
+struct OscAnswer
+{
+    OscSender to;
+    OscMessage message;
+};
+
+/** What takes OSC commands and answers them; both are called on the receiver's thread. */
+struct OscControl
+{
+    std::function<void (const OscMessage&, const OscSender&)> take;
+
+    /** The answers that wait, of these commands or of what has happened since. */
+    std::function<std::vector<OscAnswer>()> answers;
+};
+
 /** Listens for OSC and TUIO datagrams on a thread of its own and reports the touches. */
 class TouchReceiver
 {
@@ -57,7 +85,7 @@ public:
     /** Opens the ports and starts the thread.
         @throws InputError where an address or a port is none or cannot be opened, as when another program has it
         [worker] */
-    TouchReceiver (const TouchPorts&, const TouchOptions&, Callback);
+    TouchReceiver (const TouchPorts&, const TouchOptions&, Callback, OscControl = {});
 
     /** Joins the thread, within 50 ms when the callback does not keep it. [worker] */
     ~TouchReceiver();
@@ -75,15 +103,18 @@ private:
 
     int open (const char* name, int port);
     void run();
-    template <typename Read>
-    void receive (const Read&);
+    void receive (juce::DatagramSocket&, std::vector<std::byte>& buffer);
     void forward (const Touch&);
+    void take (const OscMessage&, const OscSender&);
+    void answer();
+    void publish();
 
     TouchPorts openPorts;
     Callback callback;
     std::vector<std::unique_ptr<juce::DatagramSocket>> sockets;
     TouchMessages messages;
-    TouchRateLimit limit;
+    TouchRateLimit limit, commandLimit { 5000 };
+    OscControl control;
     TouchCounters current; ///< Of the thread only, as the three before it once the thread runs.
     mutable std::mutex mutex;
     TouchCounters published; ///< Under the mutex.

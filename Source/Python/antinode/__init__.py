@@ -14,6 +14,7 @@ Documents:  device, focus, waveforms: from a name, a file or a dict; names lists
 Foci:       design, render (a design that is played), tolerance, tradeoff, map; perform: a waveform per finger.
 Cases:      sweep, sampled (plans that cover the ranges evenly), sobol_indices.
 Devices:    device(...).modes(), place (ceramics), import_device (finite elements).
+Playing:    Player (prepared places, on the standalone program or on the model).
 Benches:    excite, frf, measure (simulated), identify, retune, sensors, learn, follow.
 
 Manual: Docs/Manual/python.md; all keys of files: Docs/FileFormats.md; formulas: Docs/Theory.md.
@@ -61,6 +62,7 @@ from ._antinode import (
 )
 from ._documents import Device, Focus, Waveforms, device, focus, names, waveforms
 from ._pictures import set_theme
+from ._player import Played, Player, Prepared
 from ._sampling import sampled, sobol_indices
 from ._sweeps import sweep
 from .errors import InputError, LimitError
@@ -82,6 +84,9 @@ __all__ = [
     "Modes",
     "Performed",
     "Placed",
+    "Played",
+    "Player",
+    "Prepared",
     "Rendered",
     "Retuned",
     "Sensors",

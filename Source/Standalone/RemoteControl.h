@@ -1,0 +1,100 @@
+#pragma once
+
+#include <antinode_session/DesignWorker.h>
+#include <antinode_touch/TouchReceiver.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+class StandaloneHost;
+
+/** OSC commands that load, prepare and play, and their answers: what a script controls an experiment by. Docs/Manual/
+    remote.md lists them. Made and ended on the message thread; take() and answers() belong to one other thread. */
+class RemoteControl : public std::enable_shared_from_this<RemoteControl>
+{
+public:
+    /** @param hostToControl  outlives this @param arms  whether `/antinode/arm 1` arms [message thread] */
+    RemoteControl (StandaloneHost& hostToControl, bool arms) : host (hostToControl), mayArm (arms) {}
+
+    /** A command; faults are answered by the sentence that a file would get. [receiver's thread] */
+    void take (const OscMessage&, const OscSender&);
+
+    /** What is to be sent. [receiver's thread] */
+    std::vector<OscAnswer> answers();
+
+private:
+    /** A command on its way. */
+    struct Request
+    {
+        OscSender sender;
+        std::string id, command;
+        std::vector<OscArgument> arguments; ///< Without the id.
+    };
+
+    struct Place
+    {
+        int slot = 0;
+        std::string state = "is being designed"; ///< Empty: it can play.
+        double focusSeconds = 0;
+    };
+
+    struct Played
+    {
+        Request request;
+        std::string place;
+        std::int64_t clampedBefore = 0;
+    };
+
+    struct Loading
+    {
+        Request request;
+        std::shared_ptr<const DeviceDocument> device;
+        std::shared_ptr<const FocusDocument> focus;
+    };
+
+    using Arguments = std::vector<OscArgument>;
+
+    void answer (const Request&, const std::string& address, Arguments);
+    void run (const Request&);
+    void load (const Request&);
+    void set (const Request&);
+    void prepare (const Request&);
+    void loadWaveforms (const Request&);
+    void play (const Request&);
+    void arm (const Request&);
+    void subscribe (const Request&);
+    void keep (const Request&, const std::string& name, PrepareDesign);
+    void loadOnMessageThread (Loading);
+    void tellLoaded();
+    void tellReports();
+    void tellStatus();
+    Arguments status();
+    std::int64_t clampedSamples();
+    std::int64_t dueSample (const OscArgument&);
+    double systemSeconds (std::int64_t sample);
+
+    StandaloneHost& host;
+    bool mayArm;
+    std::mutex mutex; ///< For the next lines, which the threads of designs and of messages have, too.
+    std::vector<OscAnswer> waiting;
+    std::map<std::string, Place> places;
+    std::vector<Loading> loading;
+
+    std::map<std::uint32_t, Played> played; ///< Of the receiver's thread, as all that follows.
+    std::map<OscSender, int> replyPorts;
+    std::set<OscSender> subscribers;
+    Arguments toldStatus;
+    std::uint32_t requests = 0;
+    std::int64_t unnamed = 0; ///< Commands without an id.
+};
+} // namespace antinode
