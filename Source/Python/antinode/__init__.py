@@ -15,6 +15,7 @@ Foci:       design, render (a design that is played), tolerance, tradeoff, map; 
 Cases:      sweep, sampled (plans that cover the ranges evenly), sobol_indices.
 Devices:    device(...).modes(), place (ceramics), import_device (finite elements).
 Benches:    excite, frf, measure (simulated), identify, retune, sensors, learn, follow.
+Trials:     experiment: what people feel; detection, discrimination, localisation.
 
 Manual: Docs/Manual/python.md; all keys of files: Docs/FileFormats.md; formulas: Docs/Theory.md.
 """
@@ -22,6 +23,7 @@ Manual: Docs/Manual/python.md; all keys of files: Docs/FileFormats.md; formulas:
 import inspect as _inspect
 from typing import Any as _Any
 
+from . import experiment as experiment
 from ._antinode import version as __version__
 from ._antinode import (
     Design,
