@@ -479,6 +479,78 @@ def test_everything_public_is_described():
         assert getattr(ex, name).__doc__, name
 
 
+# PsychoPy
+
+
+class PsychoPy:
+    """A stand-in for PsychoPy, which Debian does not have: its functions with the arguments that they have there, and keys."""
+
+    def __init__(self, keys):
+        self.keys, self.shown, self.drawn, self.waited, self.closed = keys, [], [], 0.0, False
+
+    def modules(self):
+        outer = self
+
+        class Window:
+            def __init__(self, size=(800, 600), color=(0, 0, 0), fullscr=None, units=None):
+                assert units in ("height", "norm", "pix", "cm", "deg")
+
+            def flip(self):
+                outer.shown.append(outer.drawn)
+                outer.drawn = []
+
+            def close(self):
+                outer.closed = True
+
+        class Drawn:
+            def draw(self):
+                outer.drawn.append(self)
+
+        class TextStim(Drawn):
+            def __init__(self, win, text="Hello World", font="Arial", pos=(0.0, 0.0), color=(1.0, 1.0, 1.0), height=None):
+                self.win, self.text, self.pos = win, text, pos
+
+        class Circle(Drawn):
+            def __init__(self, win, radius=0.5, edges="circle", pos=(0, 0), lineColor=None, fillColor=None):
+                self.win, self.radius, self.pos = win, radius, pos
+
+        def wait_keys(maxWait=math.inf, keyList=None, modifiers=False, timeStamped=False, clearEvents=True):
+            key = next(outer.keys)
+            assert key in keyList
+            return [key]
+
+        def wait(secs, hogCPUperiod=0.2):
+            outer.waited += secs
+
+        parts = {
+            "visual": types.SimpleNamespace(Window=Window, TextStim=TextStim, Circle=Circle),
+            "event": types.SimpleNamespace(waitKeys=wait_keys),
+            "core": types.SimpleNamespace(wait=wait),
+        }
+        return types.SimpleNamespace(**parts)
+
+
+def test_the_script_for_psychopy_shows_the_places_and_takes_keys(tmp_path, monkeypatch, capsys):
+    pytest.importorskip("questplus"), pytest.importorskip("matplotlib")
+    keys = iter(["1", "2", "escape", *random.Random(1).choices("1234", k=20)])
+    shown = PsychoPy(keys)
+    monkeypatch.setitem(sys.modules, "psychopy", shown.modules())
+    file = pathlib.Path(__file__).parents[2] / "Docs/Notebooks/psychopy_localisation.py"
+    script = {"__name__": "psychopy_localisation"}
+    exec(compile(file.read_text(), str(file), "exec"), script)
+    with pytest.raises(KeyboardInterrupt):
+        script["main"](Bench(), tmp_path, 12)
+    assert shown.closed and [row["response"] for row in table(tmp_path)] == ["1", "2"]
+    cue, question = shown.shown[:2]
+    assert [each.text for each in cue] == ["+"] and question[0].text == "Where was it?"
+    assert [each.text for each in question[2::2]] == ["1", "2", "3", "4"] and shown.waited > 2
+    assert all(abs(part) < 0.5 - 0.05 for each in question[1:] for part in each.pos)
+    bench = Bench()
+    script["main"](bench, tmp_path, 12)
+    assert 12 <= len(table(tmp_path)) < 20 and set(bench.prepared) == set("1234")
+    assert (tmp_path / "psychometric.png").exists() and "threshold" in capsys.readouterr().out
+
+
 def test_the_programs_of_the_page_run(tmp_path, monkeypatch, capsys):
     pytest.importorskip("questplus"), pytest.importorskip("matplotlib")
     page = (pathlib.Path(__file__).parents[2] / "Docs/Manual/trials.md").read_text()
