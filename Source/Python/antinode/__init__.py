@@ -16,6 +16,7 @@ Cases:      sweep, sampled (plans that cover the ranges evenly), sobol_indices.
 Devices:    device(...).modes(), place (ceramics), import_device (finite elements).
 Playing:    Player (prepared places, on the standalone program or on the model).
 Benches:    excite, frf, measure (simulated), identify, retune, sensors, learn, follow.
+Trials:     experiment: what people feel; detection, discrimination, localisation.
 
 Manual: Docs/Manual/python.md; all keys of files: Docs/FileFormats.md; formulas: Docs/Theory.md.
 """
@@ -23,6 +24,7 @@ Manual: Docs/Manual/python.md; all keys of files: Docs/FileFormats.md; formulas:
 import inspect as _inspect
 from typing import Any as _Any
 
+from . import experiment as experiment
 from ._antinode import version as __version__
 from ._antinode import (
     Design,

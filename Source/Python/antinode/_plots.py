@@ -9,6 +9,7 @@ from ._checks import word
 if TYPE_CHECKING:
     from ._antinode import Estimated, Floats, Followed, Learnt, Mapped, Modes, Performed, Sensors, Tolerance, Tradeoff
     from ._documents import Device
+    from ._psychometric import Psychometric
 
 
 def _figure(rows: int, columns: int, size: tuple[float, float]) -> Any:
@@ -191,6 +192,27 @@ def plot_responses(estimated: Estimated, reference: int) -> Any:
     axes[0, 0].semilogy(estimated.frequencies_Hz, level)
     unit = "(m/s)/N" if estimated.hits else "(m/s)/V"
     axes[0, 0].set(xlabel="frequency, Hz", ylabel=f"velocity, {unit}", title=estimated.references[reference])
+    return figure
+
+
+def plot_psychometric(fitted: Psychometric) -> Any:
+    """The share of positive answers by level, at each place, with its 95 % interval; areas of dots are trials."""
+    figure, axes = _figure(1, 1, (7.6, 4.4))
+    axis = axes[0, 0]
+    for place, each in fitted.numbers["functions"].items():
+        curve = each["curve"]
+        (line,) = axis.plot(curve["levels_dB"], curve["value"], label=place)
+        if None not in curve["lower_95"]:
+            bounds = curve["lower_95"], curve["upper_95"]
+            axis.fill_between(curve["levels_dB"], *bounds, color=line.get_color(), alpha=0.15)
+        shares = [positive / trials for positive, trials in zip(each["positive"], each["trials"])]
+        axis.scatter(each["levels_dB"], shares, [4 * trials for trials in each["trials"]], color=line.get_color())
+        axis.axvline(each["threshold_dB"]["value"], color=line.get_color(), linestyle=":")
+    against = ", dB above the reference" if fitted.numbers["task"] == "discrimination" else ", dB SL"
+    positive = "answers 'yes'" if fitted.numbers["method"] == "yes/no" else "correct answers"
+    axis.set(xlabel=f"level{against}", ylabel=f"share of {positive}", title=fitted.numbers["task"])
+    axis.set_ylim(-0.03, 1.03)
+    axis.legend()
     return figure
 
 
