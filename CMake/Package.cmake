@@ -51,7 +51,7 @@ if (TARGET antinode_python)
     math (EXPR next "${Python_VERSION_MINOR} + 1")
     set (CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next}), python3-numpy")
     set (CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib, python3-scipy")
-    set (CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "antinode, python3-questplus, python3-tqdm")
+    set (CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "antinode, python3-liblo, python3-questplus, python3-tqdm")
     set (CPACK_DEBIAN_PYTHON_DESCRIPTION "\
 Functions on values for what the program antinode does, as a package for
 Python: modes of plates and beams with piezoelectric ceramics, voltages that

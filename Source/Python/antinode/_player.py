@@ -132,13 +132,12 @@ class Player:
         Raises:
             InputError: a key or value is not allowed, or there is no design.
         """
-        begun = {}
+        made = {}
         for name, keys in stimuli.items():
             if "waveforms" in keys:
-                begun[name] = self._out.begin_waveforms(name, os.fspath(keys["waveforms"]))
+                made[name] = self._out.prepare_waveforms(name, os.fspath(keys["waveforms"]))
             else:
-                begun[name] = self._out.begin(name, make_focus(self._focus, **keys))
-        made = {name: self._out.finish(waiting) for name, waiting in begun.items()}
+                made[name] = self._out.prepare(name, make_focus(self._focus, **keys))
         self._prepared.update(made)
         return made
 
@@ -198,18 +197,15 @@ class _Model:
     def __init__(self, device: Device) -> None:
         self._device, self._begun = device, time.monotonic()
 
-    def begin(self, name: str, focus: Focus) -> Prepared:
+    def prepare(self, name: str, focus: Focus) -> Prepared:
         scores = _antinode.render(focus, self._device, sample_rate_Hz=self.rate).scores
         level = scores["felt"]["targets"][0]["level_dB"]
         return Prepared(scores["peak_voltage_V"], scores["captured"], level, scores["focus_time_ms"] / 1000)
 
-    def begin_waveforms(self, name: str, file: str) -> Prepared:
+    def prepare_waveforms(self, name: str, file: str) -> Prepared:
         scores = _antinode.perform(file, self._device, sample_rate_Hz=self.rate).scores
         level = scores["fingers"][0]["level_dB_SL"]
         return Prepared(scores["peak_voltage_V"], 1.0, level, 0.0)
-
-    def finish(self, prepared: Prepared) -> Prepared:
-        return prepared
 
     def play(self, name: str, prepared: Prepared, amplitude: float, above: bool, at: Optional[float], wait: bool) -> Played:
         onset = time.monotonic() if at is None else at
@@ -242,7 +238,7 @@ class _Program:
         timeout_s: float,
     ) -> None:
         try:
-            import liblo
+            import liblo  # type: ignore[import]
         except ImportError:
             raise InputError("Player: needs liblo; install Debian's python3-liblo, or use audio='simulated'") from None
 
@@ -324,14 +320,15 @@ class _Program:
             if kind == wanted:
                 return arguments
 
-    def begin(self, name: str, focus: Focus) -> str:
-        return self._say("prepare", name, json.dumps(focus.to_dict()))
+    def prepare(self, name: str, focus: Focus) -> Prepared:
+        return self._designed(self._say("prepare", name, json.dumps(focus.to_dict())))
 
-    def begin_waveforms(self, name: str, file: str) -> str:
-        return self._say("waveforms", name, os.path.abspath(file))
+    def prepare_waveforms(self, name: str, file: str) -> Prepared:
+        return self._designed(self._say("waveforms", name, os.path.abspath(file)))
 
-    def finish(self, waiting: str) -> Prepared:
+    def _designed(self, waiting: str) -> Prepared:
         _, volts, captured, level, focus = self._hear(waiting, "designed", 10 * self._timeout)
+        self._answers.pop(waiting, None)
         return Prepared(volts, captured, level, focus)
 
     def play(self, name: str, prepared: Prepared, amplitude: float, above: bool, at: Optional[float], wait: bool) -> Played:
