@@ -553,8 +553,8 @@ void RemoteControl::tellReports()
 
 void RemoteControl::tellLoaded()
 {
-    const auto now = host.processor().session().snapshot();
     std::vector<Loading> ended;
+    const auto now = host.processor().session().snapshot();
     {
         const std::lock_guard lock (mutex);
         const auto isOver = [&] (const Loading& each) {
@@ -582,9 +582,13 @@ void RemoteControl::tellLoaded()
 
 void RemoteControl::tellStatus()
 {
-    if (subscribers.empty())
+    constexpr auto interval = std::chrono::milliseconds (50);
+    const auto time = std::chrono::steady_clock::now();
+
+    if (subscribers.empty() || time < lastStatus + interval)
         return;
 
+    lastStatus = time;
     auto now = status();
 
     if (now == toldStatus)

@@ -3,6 +3,7 @@
 #include <antinode_session/DesignWorker.h>
 #include <antinode_touch/TouchReceiver.h>
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -94,6 +95,7 @@ private:
     std::map<OscSender, int> replyPorts;
     std::set<OscSender> subscribers;
     Arguments toldStatus;
+    std::chrono::steady_clock::time_point lastStatus;
     std::uint32_t requests = 0;
     std::int64_t unnamed = 0; ///< Commands without an id.
 };
