@@ -230,6 +230,7 @@ void printPerformed (const PerformOptions& options, const PerformedWaveforms& pe
                      -performed.design.voltages.firstTime * milli, *performed.likeness);
 
     std::printf ("  voltages: %s\n", trackVoltsInWords (performed).c_str());
+    printPower (performed.judge, performed.power);
 
     if (performed.undone && performed.undone->lateness > 0)
         std::printf ("  lags of ceramics: %s\n", lagsInWords (*performed.undone).c_str());

@@ -90,7 +90,11 @@ PrepareDesign preparesWaveforms (WaveformsDescription waveforms)
         prepared.program.allocation.resize (model.actuators(), 0);
         prepared.program.voltageLimits = voltageLimits (model);
         prepared.program.samples = design.voltages;
-        prepared.program.samples->playback = playback;
+        auto& samples = *prepared.program.samples;
+        samples.playback = playback;
+        // Voltages begin before the waveforms: these begin as much later after the trigger.
+        prepared.program.focusTime = std::max (0.0, -samples.firstTime);
+        samples.firstTime += prepared.program.focusTime;
         prepared.peakVoltage = design.peaks.maxCoeff();
         prepared.captured = std::sqrt (std::max (0.0, 1 - design.error * design.error));
         const auto at = placeAt (waveforms.tracks.front().point, 0);
@@ -112,7 +116,7 @@ FocusDescription focusOf (const std::string& text, const std::string& place)
 using Command = std::pair<std::string_view, std::pair<std::size_t, std::size_t>>; ///< Least and most arguments.
 
 constexpr std::size_t anyNumber = 256;
-constexpr std::array<Command, 11> commands { { { "/antinode/load", { 1, 2 } },
+constexpr std::array<Command, 10> commands { { { "/antinode/load", { 1, 2 } },
                                                { "/antinode/set", { 2, 2 } },
                                                { "/antinode/prepare", { 2, anyNumber } },
                                                { "/antinode/waveforms", { 2, 2 } },
@@ -121,8 +125,7 @@ constexpr std::array<Command, 11> commands { { { "/antinode/load", { 1, 2 } },
                                                { "/antinode/status", { 0, 0 } },
                                                { "/antinode/subscribe", { 0, 1 } },
                                                { "/antinode/reply", { 1, 1 } },
-                                               { "/antinode/arm", { 1, 1 } },
-                                               { "/antinode/forget", { 0, 0 } } } };
+                                               { "/antinode/arm", { 1, 1 } } } };
 
 void checkCommand (const std::string& name, std::size_t arguments)
 {
@@ -174,10 +177,19 @@ void RemoteControl::take (const OscMessage& message, const OscSender& sender)
     if (request.id.empty())
         request.id = "#" + std::to_string (++unnamed);
 
+    attempt (request,
+             [&]
+             {
+                 checkCommand (request.command, request.arguments.size());
+                 request.command == "/antinode/reply" ? answerTo (sender, request) : run (request);
+             });
+}
+
+void RemoteControl::attempt (const Request& request, const std::function<void()>& action)
+{
     try
     {
-        checkCommand (request.command, request.arguments.size());
-        run (request);
+        action();
     }
     catch (const std::exception& failure)
     {
@@ -190,16 +202,16 @@ void RemoteControl::run (const Request& request)
     const auto& name = request.command;
 
     if (name == "/antinode/load")
-        return load (request);
+        return later (request, &RemoteControl::load);
 
     if (name == "/antinode/set")
-        return set (request);
+        return later (request, &RemoteControl::set);
 
     if (name == "/antinode/prepare")
-        return prepare (request);
+        return later (request, &RemoteControl::prepare);
 
     if (name == "/antinode/waveforms")
-        return loadWaveforms (request);
+        return later (request, &RemoteControl::loadWaveforms);
 
     if (name == "/antinode/play")
         return play (request);
@@ -213,24 +225,36 @@ void RemoteControl::run (const Request& request)
     if (name == "/antinode/status")
         return answer (request, "status", status());
 
-    if (name == "/antinode/reply")
-    {
-        const auto port = numberOf (request.arguments[0], "/antinode/reply: the port");
+    answer (request, "accepted", { name }); // A stop, which is a touch as well.
+}
 
-        if (! (port >= 1 && port <= 65535))
-            refuse ("/antinode/reply: the port", "is " + inWords (port) + "; allowed: 1 to 65535");
+/** On a thread of its own: files may be long, and a stop must not wait for them. */
+void RemoteControl::later (const Request& request, void (RemoteControl::*command) (const Request&))
+{
+    constexpr int most = 64;
 
-        if (replyPorts.size() < 256)
-            replyPorts[{ request.sender.address, request.sender.port }] = static_cast<int> (port);
-    }
+    if (reading.getNumJobs() >= most)
+        refuse (request.command, std::to_string (most) + " commands wait already; wait for their answers");
 
-    if (name == "/antinode/forget")
-    {
-        const std::lock_guard lock (mutex);
-        places.clear(); // Slots are used again.
-    }
+    answer (request, "accepted", { request.command });
+    reading.addJob ([this, request, command] { attempt (request, [&] { (this->*command) (request); }); });
+}
 
-    answer (request, "accepted", { name });
+void RemoteControl::answerTo (const OscSender& sender, const Request& request)
+{
+    constexpr std::size_t most = 256;
+    const auto port = numberOf (request.arguments[0], "/antinode/reply: the port");
+
+    if (! (port >= 1 && port <= 65535))
+        refuse ("/antinode/reply: the port", "is " + inWords (port) + "; allowed: 1 to 65535");
+
+    if (replyPorts.size() >= most && ! replyPorts.contains (sender))
+        refuse ("/antinode/reply", std::to_string (most) + " senders have named ports; allowed: as many");
+
+    replyPorts[sender] = static_cast<int> (port);
+    auto moved = request;
+    moved.sender.port = static_cast<int> (port);
+    answer (moved, "accepted", { request.command });
 }
 
 void RemoteControl::load (const Request& request)
@@ -240,30 +264,63 @@ void RemoteControl::load (const Request& request)
     if (request.arguments.size() > 1)
         wanted.focus = focusDocument (textOf (request.arguments[1], "/antinode/load: the focus"));
 
-    answer (request, "accepted", { request.command });
     loadOnMessageThread (std::move (wanted));
 }
 
 void RemoteControl::set (const Request& request)
 {
-    auto focus = jsonOf (host.processor().session().snapshot()->focus);
+    auto focus = jsonOf (presentFocus());
     assign (focus, textOf (request.arguments[0], "/antinode/set: the key"), request.arguments[1]);
-    Loading wanted { request, nullptr, std::make_shared<const FocusDocument> (readFocusDocument (focus, "the focus")) };
-    answer (request, "accepted", { request.command });
-    loadOnMessageThread (std::move (wanted));
+    loadOnMessageThread (
+        { request, nullptr, std::make_shared<const FocusDocument> (readFocusDocument (focus, "the focus")) });
 }
 
+/** The newest one that was asked for, without the touches that rest on the surface for a while. */
+FocusDescription RemoteControl::presentFocus()
+{
+    {
+        const std::lock_guard lock (mutex);
+
+        if (! loading.empty() && loading.back().focus != nullptr)
+            return loading.back().focus->description;
+    }
+
+    auto focus = host.processor().session().snapshot()->focus;
+    const auto touches = host.processor().touches();
+    std::erase_if (focus.fingers, [&] (const auto& finger)
+                   { return std::find (touches.begin(), touches.end(), finger) != touches.end(); });
+    return focus;
+}
+
+/** Another device has other limits: it is armed again by who may. The limit that was set stays where it is the lower.
+ */
 void RemoteControl::loadOnMessageThread (Loading wanted)
 {
+    {
+        const std::lock_guard lock (mutex);
+        wanted.asked = std::chrono::steady_clock::now();
+        loading.push_back (wanted);
+    }
+
     juce::MessageManager::callAsync (
         [weak = weak_from_this(), wanted = std::move (wanted)]
         {
-            if (const auto self = weak.lock())
-            {
-                self->host.processor().load (wanted.device, wanted.focus);
-                const std::lock_guard lock (self->mutex);
-                self->loading.push_back (wanted);
-            }
+            const auto self = weak.lock();
+
+            if (self == nullptr)
+                return;
+
+            auto& player = self->host.processor();
+            auto& limit = *player.parameters().find ("voltage_limit");
+            const auto before = parameterValue (limit);
+
+            if (wanted.device != nullptr)
+                self->host.arm().setValueNotifyingHost (0);
+
+            player.load (wanted.device, wanted.focus);
+
+            if (const auto now = parameterValue (limit); before > 0 && (now == 0 || now > before))
+                setValue (limit, before);
         });
 }
 
@@ -289,7 +346,7 @@ void RemoteControl::prepare (const Request& request)
     if (keys.size() % 2 != 0)
         refuse ("/antinode/prepare", "has a key without a value; allowed: ID X [Y] and any number of KEY VALUE");
 
-    auto focus = jsonOf (movedTo (now->focus, x, y));
+    auto focus = jsonOf (movedTo (presentFocus(), x, y));
 
     for (std::size_t i = 0; i < keys.size(); i += 2)
         assign (focus, textOf (keys[i], "/antinode/prepare: a key"), keys[i + 1]);
@@ -308,23 +365,24 @@ void RemoteControl::loadWaveforms (const Request& request)
 void RemoteControl::keep (const Request& request, const std::string& name, PrepareDesign design)
 {
     auto slot = 0;
+    std::uint64_t generation = 0;
     {
         const std::lock_guard lock (mutex);
         const auto next = static_cast<int> (places.size());
 
         if (! places.contains (name) && next >= FocusBank::mostPrepared)
-            refuse (request.command, "there are " + std::to_string (next)
-                                         + " prepared places already; allowed: as many; '/antinode/forget' makes room");
+            refuse (request.command,
+                    "there are " + std::to_string (next) + " prepared places already; allowed: as many");
 
         auto& place = places.try_emplace (name, Place { next }).first->second;
         place.state = Place().state;
         slot = place.slot;
+        generation = ++place.generation;
     }
 
-    answer (request, "accepted", { request.command });
     host.processor().session().prepareFocus (
         slot, std::move (design),
-        [weak = weak_from_this(), request, name, slot] (const PreparedFocus& made)
+        [weak = weak_from_this(), request, name, generation] (const PreparedFocus& made)
         {
             const auto self = weak.lock();
 
@@ -334,17 +392,18 @@ void RemoteControl::keep (const Request& request, const std::string& name, Prepa
             {
                 const std::lock_guard lock (self->mutex);
 
-                if (const auto place = self->places.find (name);
-                    place != self->places.end() && place->second.slot == slot)
-                {
-                    place->second.state = made.error;
-                    place->second.focusSeconds = made.focusSeconds;
-                }
+                auto& place = self->places[name];
+
+                if (place.generation != generation)
+                    return; // Another one was asked for meanwhile.
+
+                place.state = made.error;
             }
 
             if (made.error.empty())
-                self->answer (request, "designed",
-                              { name, made.peakVoltage, made.captured, made.sensationLevel, made.focusSeconds });
+                self->answer (
+                    request, "designed",
+                    { name, made.peakVoltage, made.captured, made.sensationLevel, made.focusSeconds, made.endSeconds });
             else
                 self->answer (request, "refused", { made.error });
         });
@@ -384,7 +443,7 @@ std::int64_t RemoteControl::dueSample (const OscArgument& argument)
         due += std::llround (std::clamp (seconds - system, -1.0, 2 * latestStart) * rate);
     }
 
-    if (static_cast<double> (due - *present) > latestStart * rate)
+    if (static_cast<double> (due) > static_cast<double> (*present) + latestStart * rate)
         refuse ("/antinode/play: the time", "is more than " + inWords (latestStart) + " s ahead; allowed: as much");
 
     return due;
@@ -420,6 +479,9 @@ void RemoteControl::play (const Request& request)
         slot = place->second.slot;
     }
 
+    if (host.router().isMuted())
+        refuse ("/antinode/play", "all outputs are muted; release them in the window");
+
     if (! host.arm().get())
         refuse ("/antinode/play", "the outputs are not armed; arm them in the window or with --arm");
 
@@ -448,12 +510,20 @@ void RemoteControl::arm (const Request& request)
                 "arms only where the program was started with --allow-remote-arm; arm in the window or "
                 "with --arm");
 
+    // At once, as all that makes safe; arming waits for what the window does.
+    if (! wanted)
+    {
+        host.arm().setValueNotifyingHost (0);
+        host.processor().session().stopAll();
+        return answer (request, "accepted", { request.command });
+    }
+
     juce::MessageManager::callAsync (
-        [weak = weak_from_this(), request, wanted]
+        [weak = weak_from_this(), request]
         {
             if (const auto self = weak.lock())
             {
-                self->host.arm().setValueNotifyingHost (wanted ? 1.0F : 0.0F);
+                self->host.arm().setValueNotifyingHost (1);
                 self->answer (request, "accepted", { request.command });
             }
         });
@@ -554,6 +624,7 @@ void RemoteControl::tellReports()
 void RemoteControl::tellLoaded()
 {
     std::vector<Loading> ended;
+    std::optional<Loading> replaced;
     const auto now = host.processor().session().snapshot();
     {
         const std::lock_guard lock (mutex);
@@ -571,7 +642,18 @@ void RemoteControl::tellLoaded()
                 loading.erase (loading.begin(), end);
                 break;
             }
+
+        constexpr auto patience = std::chrono::seconds (120);
+
+        if (ended.empty() && ! loading.empty() && std::chrono::steady_clock::now() > loading.front().asked + patience)
+        {
+            replaced = loading.front();
+            loading.erase (loading.begin());
+        }
     }
+
+    if (replaced)
+        answer (replaced->request, "refused", { replaced->request.command + ": another one was loaded in its place" });
 
     for (const auto& each : ended)
         if (now->error.empty())

@@ -46,7 +46,7 @@ private:
     {
         int slot = 0;
         std::string state = "is being designed"; ///< Empty: it can play.
-        double focusSeconds = 0;
+        std::uint64_t generation = 0;            ///< Of what was asked for.
     };
 
     struct Played
@@ -61,12 +61,16 @@ private:
         Request request;
         std::shared_ptr<const DeviceDocument> device;
         std::shared_ptr<const FocusDocument> focus;
+        std::chrono::steady_clock::time_point asked = {};
     };
 
     using Arguments = std::vector<OscArgument>;
 
     void answer (const Request&, const std::string& address, Arguments);
+    void attempt (const Request&, const std::function<void()>& action);
     void run (const Request&);
+    void later (const Request&, void (RemoteControl::*command) (const Request&));
+    void answerTo (const OscSender&, const Request&);
     void load (const Request&);
     void set (const Request&);
     void prepare (const Request&);
@@ -75,6 +79,7 @@ private:
     void arm (const Request&);
     void subscribe (const Request&);
     void keep (const Request&, const std::string& name, PrepareDesign);
+    FocusDescription presentFocus();
     void loadOnMessageThread (Loading);
     void tellLoaded();
     void tellReports();
@@ -97,6 +102,7 @@ private:
     Arguments toldStatus;
     std::chrono::steady_clock::time_point lastStatus;
     std::uint32_t requests = 0;
-    std::int64_t unnamed = 0; ///< Commands without an id.
+    std::int64_t unnamed = 0;       ///< Commands without an id.
+    juce::ThreadPool reading { 1 }; ///< Of files; ends before all above.
 };
 } // namespace antinode

@@ -142,6 +142,10 @@ void StandaloneHost::tick()
 {
     restTouches();
 
+    // Who arms again begins nothing of what was asked for before.
+    if (const auto isArmed = arm().get(); std::exchange (wasArmed, isArmed) && ! isArmed)
+        stopAll();
+
     if (const auto now = player.mutes(); std::exchange (seenMutes, now) != now)
         tellChange();
 }

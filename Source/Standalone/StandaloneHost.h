@@ -65,6 +65,7 @@ private:
     AntinodeProcessor player { AntinodeProcessor::maximumCeramics, juce::AudioProcessor::wrapperType_Undefined };
     TouchInput touchInput { player.session() };
     std::shared_ptr<RemoteControl> control;
+    bool wasArmed = false;
     std::uint64_t seenMutes = 0; ///< When they were looked at last.
 };
 

@@ -49,18 +49,18 @@ TEST_CASE ("Waveforms are read with all that they can say", "[documents][tracks]
     CHECK (waveforms.preRoll == 0.005);
     CHECK (waveforms.postRoll == 0.015);
     REQUIRE (waveforms.tracks.size() == 3);
-    CHECK (waveforms.tracks[0].level.value == Approx (5e-6));
-    CHECK (std::holds_alternative<ClickSignal> (waveforms.tracks[0].signal));
+    CHECK (waveforms.tracks[0].events[0].level.value == Approx (5e-6));
+    CHECK (std::holds_alternative<ClickSignal> (waveforms.tracks[0].events[0].signal));
     const auto& index = waveforms.tracks[1];
     CHECK (index.point.name == "index");
     CHECK (index.point.finger.value().mass == Approx (1e-4));
     CHECK (index.point.finger->stiffness == Approx (600));
     CHECK (index.point.finger->x == 0.09);
-    CHECK (index.level.kind == LevelKind::sensation);
-    CHECK (index.start == 0.02);
-    CHECK (std::get<ToneSignal> (index.signal).modulationFrequency == 20);
-    CHECK (std::get<NoiseSignal> (waveforms.tracks[2].signal).seed == 7);
-    CHECK (waveforms.tracks[2].level.kind == LevelKind::velocity);
+    CHECK (index.events[0].level.kind == LevelKind::sensation);
+    CHECK (index.events[0].start == 0.02);
+    CHECK (std::get<ToneSignal> (index.events[0].signal).modulationFrequency == 20);
+    CHECK (std::get<NoiseSignal> (waveforms.tracks[2].events[0].signal).seed == 7);
+    CHECK (waveforms.tracks[2].events[0].level.kind == LevelKind::velocity);
     REQUIRE (waveforms.silent.size() == 1);
     CHECK (waveforms.silent[0].finger.value().name == "firm");
 }
@@ -102,7 +102,7 @@ TEST_CASE ("A recording is looked for beside its file, and one channel of it is 
     auto document = oneTrack();
     document["tracks"][0]["signal"] = { { "kind", "wav" }, { "file", "voice.wav" }, { "channel", 2 } };
     const auto waveforms = readWaveforms (document, "my.json", folder.path());
-    const auto& recording = std::get<SampledSignal> (waveforms.tracks[0].signal);
+    const auto& recording = std::get<SampledSignal> (waveforms.tracks[0].events[0].signal);
     CHECK (recording.sampleRate == 8000);
     CHECK (recording.samples == Eigen::Vector3d (0, 0, 0.25));
 
@@ -128,7 +128,7 @@ TEST_CASE ("A signal may be given as numbers", "[documents][tracks]")
                                         { "sample_rate_Hz", 8000 },
                                         { "values", { 0, 0, 0.25 } } };
     const auto waveforms = readWaveforms (document, "my.json", {});
-    const auto& signal = std::get<SampledSignal> (waveforms.tracks[0].signal);
+    const auto& signal = std::get<SampledSignal> (waveforms.tracks[0].events[0].signal);
     CHECK (signal.sampleRate == 8000);
     CHECK (signal.samples == Eigen::Vector3d (0, 0, 0.25));
     document["tracks"][0]["signal"]["values"] = nlohmann::json::array();
@@ -137,11 +137,57 @@ TEST_CASE ("A signal may be given as numbers", "[documents][tracks]")
     CHECK_THAT (refusal (document), Catch::Contains ("sample_rate_Hz"));
 }
 
+TEST_CASE ("A track takes a list of events, whose level is that of the track unless they have their own",
+           "[documents][tracks]")
+{
+    auto document = oneTrack();
+    document["tracks"][0].erase ("signal");
+    document["tracks"][0]["events"] = Json::parse (
+        R"([ { "signal": { "kind": "click" } },
+             { "start_ms": 80, "amplitude": 0.5, "signal": { "kind": "tone", "frequency_Hz": 200 } },
+             { "start_ms": 400, "level_dB_SL": 20, "signal": { "kind": "gabor" } } ])");
+    const auto events = readWaveforms (document, "my.json", {}).tracks.at (0).events;
+    REQUIRE (events.size() == 3);
+    CHECK (events[0].level.value == Approx (5e-6));
+    CHECK (events[1].level.value == Approx (5e-6));
+    CHECK (events[1].amplitude == 0.5);
+    CHECK (events[1].start == 0.08);
+    CHECK (events[2].level.kind == LevelKind::sensation);
+    CHECK (std::holds_alternative<GaborSignal> (events[2].signal));
+
+    // Where nothing gives a level.
+    document["tracks"][0].erase ("level_um");
+    const auto usual = readWaveforms (document, "my.json", {}).tracks.at (0).events[0].level;
+    CHECK (usual.kind == LevelKind::sensation);
+    CHECK (usual.value == 25);
+}
+
+TEST_CASE ("Tracks at one place are summed, with a sentence", "[documents][tracks]")
+{
+    auto document = oneTrack();
+    document["tracks"].push_back (Json::parse (R"({ "x_mm": 90, "level_um": 2, "signal": { "kind": "click" } })"));
+    document["tracks"].push_back (Json::parse (
+        R"({ "x_mm": 40, "y_mm": 60, "finger": "medium", "level_um": 1, "start_ms": 9, "signal": { "kind": "gabor" } })"));
+    const auto waveforms = readWaveforms (document, "my.json", {});
+    REQUIRE (waveforms.tracks.size() == 2);
+    REQUIRE (waveforms.tracks[0].events.size() == 2);
+    CHECK (waveforms.tracks[0].events[1].start == 0.009);
+    CHECK (waveforms.tracks[0].point.finger.has_value());
+    REQUIRE (waveforms.warnings.size() == 1);
+    CHECK (waveforms.warnings[0] == "Track 3 is at the place of another track: the waveform there is their sum.");
+}
+
 TEST_CASE ("Waveforms that make no sense are refused with their place", "[documents][tracks]")
 {
     auto document = oneTrack();
     document["tracks"][0]["level_mm_s"] = 1;
-    CHECK_THAT (refusal (document), Catch::Contains ("/tracks/0") && Catch::Contains ("exactly one of"));
+    CHECK_THAT (refusal (document), Catch::Contains ("/tracks/0") && Catch::Contains ("has several levels"));
+    document = oneTrack();
+    document["tracks"][0]["events"] = Json::array ({ { { "signal", { { "kind", "click" } } } } });
+    CHECK_THAT (refusal (document), Catch::Contains ("'signal' and 'events'"));
+    document["tracks"][0].erase ("signal");
+    document["tracks"][0]["start_ms"] = 5;
+    CHECK_THAT (refusal (document), Catch::Contains ("/tracks/0") && Catch::Contains ("allowed: in each event"));
     document = oneTrack();
     document["band_Hz"] = { 500, 100 };
     CHECK (refusal (document) == "my.json: /band_Hz: does not ascend; allowed: a lower and a higher frequency, Hz");

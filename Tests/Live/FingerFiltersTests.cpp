@@ -29,8 +29,8 @@ WaveformsDescription threePoints()
         auto& track = description.tracks.emplace_back();
         track.point.x = x;
         track.point.y = y;
-        track.signal = NoiseSignal { 0.2, 0.02, description.tracks.size() };
-        track.level = { LevelKind::displacement, 1e-7 };
+        track.events[0].signal = NoiseSignal { 0.2, 0.02, description.tracks.size() };
+        track.events[0].level = { LevelKind::displacement, 1e-7 };
     }
 
     auto& silent = description.silent.emplace_back();
@@ -72,7 +72,7 @@ TEST_CASE ("Levels beyond the limits of a live design are refused with the share
     const auto free = designLiveTracks (model, description, liveSettings (0.01));
 
     for (auto& track : description.tracks)
-        track.level.value *= 2 / free.limitUse.unlimitedPeak;
+        track.events[0].level.value *= 2 / free.limitUse.unlimitedPeak;
 
     double share = 0;
 
@@ -100,7 +100,7 @@ TEST_CASE ("Live tracks that need too much memory are refused before they are de
 {
     const auto model = test::SinePlate().model (6);
     auto description = threePoints();
-    description.tracks[0].signal = NoiseSignal { 600, 0.02, 1 };
+    description.tracks[0].events[0].signal = NoiseSignal { 600, 0.02, 1 };
     const auto refusal = errorText ([&] { designLiveTracks (model, description, liveSettings (0.01)); });
 
     // 12 ceramics and 3 points twice, 8 bytes each.

@@ -25,8 +25,8 @@ WaveformsDescription fingersAt (const std::vector<std::pair<double, double>>& pl
         auto& track = description.tracks.emplace_back();
         track.point.x = x;
         track.point.y = y;
-        track.signal = NoiseSignal { 0.2, 0.02, description.tracks.size() };
-        track.level = { LevelKind::displacement, 1e-7 };
+        track.events[0].signal = NoiseSignal { 0.2, 0.02, description.tracks.size() };
+        track.events[0].level = { LevelKind::displacement, 1e-7 };
     }
 
     return description;

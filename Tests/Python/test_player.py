@@ -84,7 +84,7 @@ class Program:
             say("status", "device", "staple", "solving", False, "armed", True, "rate_Hz", ("d", 48000.0))
         elif path.endswith("prepare"):
             say("accepted", path)
-            say("designed", rest[0], ("d", 12.0), ("d", 0.99), ("d", 26.0), ("d", 0.025))
+            say("designed", rest[0], ("d", 12.0), ("d", 0.99), ("d", 26.0), ("d", 0.025), ("d", 0.03))
         elif path.endswith("play"):
             if rest[0] == "held":
                 return say("refused", "/antinode/play: the outputs are not armed")
@@ -108,6 +108,7 @@ def test_the_program_is_spoken_to():
             assert (played.onset_sample, played.focus_sample) == (480, 1680)
             assert math.isclose(played.amplitude, 10 ** (-6 / 20))
             assert played.limited  # A limiter held 3 samples.
+            assert not played.stopped and played.duration == 0.03
             with pytest.raises(an.InputError, match="not armed"):
                 player.play("held")
             player.stop()

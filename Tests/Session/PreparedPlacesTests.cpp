@@ -133,6 +133,34 @@ TEST_CASE ("A stop ends what plays and what waits, and tells both", "[session][p
     CHECK (last.at (2) == PlayReport::Kind::stopped);
 }
 
+TEST_CASE ("Who disarms voids what is due later, and notes' stop what is due behind it", "[session][prepared]")
+{
+    PreparedSession played (1);
+    PlayControls armed, disarmed;
+    disarmed.isArmed = false;
+    played.play (64, {}, armed);
+    played.reports();
+    REQUIRE (played.session.play (0, 1, 1, 1 << 20));
+    played.play (64, {}, armed);
+    played.play (64, {}, disarmed);
+    auto told = played.reports();
+    REQUIRE (told.size() == 1);
+    CHECK (told[0].kind == PlayReport::Kind::stopped);
+
+    // Due at the 40th sample of a block in which all notes go off at the 10th.
+    played.play (64, {}, armed);
+    REQUIRE (played.session.play (0, 1, 2));
+    played.play (4096, {}, armed);
+    const auto begun = played.reports().at (0).onset;
+    const auto next = begun / 64 * 64 + 4096;
+    REQUIRE (played.session.play (0, 1, 3, next + 40));
+    played.play (static_cast<int> (next - (begun / 64 * 64 + 4096) + 64), { { 10, FocusEventKind::stopAll, 0, 0 } },
+                 armed);
+    told = played.reports();
+    REQUIRE (told.size() == 1);
+    CHECK (told[0].kind == PlayReport::Kind::stopped);
+}
+
 TEST_CASE ("A place without a design plays nothing and says so", "[session][prepared]")
 {
     PreparedSession played (1);
@@ -216,9 +244,8 @@ TEST_CASE ("The clock of a session finds the line behind jittering blocks", "[se
 TEST_CASE ("A marker lasts from each focus on, whatever the blocks are", "[session][prepared]")
 {
     PlayReports reports;
-    const LevelMeters meters;
     const std::array voices { BegunVoice { 0, true, 10, 100, 200 }, BegunVoice { 0, true, 10, 130, 200 } };
-    reports.begin (voices, 0, meters);
+    reports.begin (voices, 0, 0);
     std::vector<float> marker (512, -1);
 
     for (int begin = 0; begin < 512; begin += 64)

@@ -134,8 +134,12 @@ TEST_CASE ("Keys of the focus and devices are set from outside, and told when th
     CHECK (rig.host.processor().session().snapshot()->focus.targets.front().peakVelocity == 0.02);
     rig.say ("set", { "targets.0.width_mm"s, -5, "#2"s });
     CHECK_FALSE (rig.refused ("#2").empty());
+    rig.host.processor().parameters().find ("voltage_limit")->setValueNotifyingHost (0.01F);
     rig.say ("load", { "beam"s, "#3"s });
     CHECK (rig.hear ("#3", "loaded").at (0) == OscArgument ("beam"s));
+    CHECK_FALSE (rig.host.processor().parameters().arm().get()); // Another device has other limits.
+    CHECK (rig.host.processor().parameters().find ("voltage_limit")->getValue()
+           == Approx (0.01F)); // The lower one stays.
     rig.say ("status", { "#4"s });
     const auto status = rig.hear ("#4", "status");
     CHECK (status.at (0) == OscArgument ("device"s));

@@ -21,8 +21,8 @@ WaveformsDescription clickAndSilence()
     description.tracks.resize (1);
     auto& point = description.tracks[0].point;
     std::tie (point.x, point.y) = std::pair (0.05, 0.06);
-    description.tracks[0].signal = ClickSignal { 350 };
-    description.tracks[0].level.value = 1e-6;
+    description.tracks[0].events[0].signal = ClickSignal { 350 };
+    description.tracks[0].events[0].level.value = 1e-6;
     description.silent.resize (1);
     std::tie (description.silent[0].x, description.silent[0].y) = std::pair (0.15, 0.04);
     return description;

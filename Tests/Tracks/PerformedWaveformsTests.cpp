@@ -28,11 +28,11 @@ WaveformsDescription threeFingers()
     };
     description.tracks.resize (2);
     touch (description.tracks[0].point, 0.05, 0.06);
-    description.tracks[0].signal = GaborSignal { 350, 0.01 };
-    description.tracks[0].level.value = 1e-6;
+    description.tracks[0].events[0].signal = GaborSignal { 350, 0.01 };
+    description.tracks[0].events[0].level.value = 1e-6;
     touch (description.tracks[1].point, 0.14, 0.1);
-    description.tracks[1].signal = ToneSignal { 300, 0.06, 0.02, 0, 1 };
-    description.tracks[1].level.value = 0.5e-6;
+    description.tracks[1].events[0].signal = ToneSignal { 300, 0.06, 0.02, 0, 1 };
+    description.tracks[1].events[0].level.value = 0.5e-6;
     description.silent.resize (1);
     touch (description.silent[0], 0.15, 0.04);
     return description;

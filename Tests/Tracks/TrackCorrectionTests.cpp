@@ -30,7 +30,7 @@ WaveformsDescription burstAndSilence()
     auto& track = description.tracks.emplace_back();
     track.point.x = 0.05;
     track.point.y = 0.06;
-    track.signal = GaborSignal { 350, 0.01 };
+    track.events[0].signal = GaborSignal { 350, 0.01 };
     auto& silent = description.silent.emplace_back();
     silent.x = 0.14;
     silent.y = 0.1;

@@ -35,8 +35,8 @@ WaveformsDescription twoPoints (double level)
     auto& track = description.tracks.emplace_back();
     track.point.x = 0.05;
     track.point.y = 0.06;
-    track.signal = GaborSignal { 350, 0.01 };
-    track.level = { LevelKind::displacement, level };
+    track.events[0].signal = GaborSignal { 350, 0.01 };
+    track.events[0].level = { LevelKind::displacement, level };
     auto& silent = description.silent.emplace_back();
     silent.x = 0.14;
     silent.y = 0.1;
@@ -127,7 +127,7 @@ TEST_CASE ("A finger that moves gets its track on its way, and the others silenc
 {
     const auto model = test::SinePlate().model (10);
     auto description = twoPoints (1e-6);
-    description.tracks[0].signal = ToneSignal { 350, 0.1, 0.02, 0, 1 };
+    description.tracks[0].events[0].signal = ToneSignal { 350, 0.1, 0.02, 0, 1 };
     description.tracks[0].point.path = { { 0.01, 0.05, 0.06 }, { 0.06, 0.09, 0.04 }, { 0.09, 0.11, 0.06 } };
     const auto design = designTracks (model, description, settingsFor (48000));
     CHECK (design.error < 1e-3);
@@ -290,7 +290,7 @@ TEST_CASE ("Waveforms that cannot be are refused in one sentence", "[tracks]")
     CHECK (refusal (description, 48000).find ("too near") == std::string::npos);
 
     description = twoPoints (1e-6);
-    description.tracks[0].signal = ToneSignal { 300, 3000, 0.01, 0, 1 };
+    description.tracks[0].events[0].signal = ToneSignal { 300, 3000, 0.01, 0, 1 };
     CHECK_THAT (refusal (description, 48000), Catch::Contains ("last 3000 s") && Catch::Contains ("allowed: 1 GiB"));
     CHECK_THAT (refusal (twoPoints (1e-6), 4000),
                 Catch::Contains ("sample rate") && Catch::Contains ("4800 Hz or more"));

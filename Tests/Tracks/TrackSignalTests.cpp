@@ -1,3 +1,5 @@
+#include "Support/ErrorText.h"
+
 #include <antinode_fingers/Sensation.h>
 #include <antinode_numerics/Fourier.h>
 #include <antinode_numerics/KaiserSinc.h>
@@ -38,9 +40,9 @@ WaveformsDescription oneTrack (const TrackSignal& signal, const TrackLevel& leve
 {
     WaveformsDescription description;
     auto& track = description.tracks.emplace_back();
-    track.signal = signal;
-    track.level = level;
-    track.start = 0.01;
+    track.events[0].signal = signal;
+    track.events[0].level = level;
+    track.events[0].start = 0.01;
     return description;
 }
 } // namespace
@@ -103,6 +105,29 @@ TEST_CASE ("Levels are those of displacement, velocity and sensation", "[tracks]
     const auto motion = wantedMotion (oneTrack (tone, {}), flatThreshold(), rate);
     CHECK (motion.topRows (120).isZero());
     CHECK (motion (150, 0) != 0);
+}
+
+TEST_CASE ("A track is the sum of its events, each with its share of its level", "[tracks]")
+{
+    constexpr double rate = 12000;
+    const ToneSignal tone { 250, 0.1, 0.02, 0, 1 };
+    const auto single = wantedMotion (oneTrack (tone, {}), flatThreshold(), rate);
+    auto description = oneTrack (tone, {});
+    auto& events = description.tracks[0].events;
+    events.push_back (events[0]);
+    events[1].amplitude = 0.5;
+    events[1].start = 0.06;
+    const auto both = wantedMotion (description, flatThreshold(), rate);
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero (both.rows());
+    sum.head (single.rows()) = single.col (0);
+    sum.tail (single.rows()) += 0.5 * single.col (0); // The second one begins 50 ms after the first: 600 samples.
+    REQUIRE (both.rows() == single.rows() + 600);
+    CHECK ((both.col (0) - sum).cwiseAbs().maxCoeff() < 1e-15);
+
+    // What is wrong is told with the number of the event.
+    events[1].signal = ToneSignal { 2000, 0.1, 0.02, 0, 1 };
+    CHECK (errorText ([&] { wantedMotion (description, flatThreshold(), rate); })
+           == "waveforms: track 1 event 2 frequency: is 2000 Hz; allowed: the band, 40 to 1000 Hz");
 }
 
 TEST_CASE ("Interpolated voltages are the tone that their samples stand for", "[tracks]")

@@ -133,7 +133,8 @@ RecordedPass recorded (const TrackDesign& design, const PlayedTracks& played, in
     constexpr double noise = 1e-3;
     RandomNumbers random (static_cast<std::uint64_t> (seed));
     RecordedPass pass { design.voltages, played.displacements };
-    pass.displacements += whiteNoise (pass.displacements, noise * design.description.tracks[0].level.value, random);
+    pass.displacements +=
+        whiteNoise (pass.displacements, noise * design.description.tracks[0].events[0].level.value, random);
     return pass;
 }
 

@@ -39,7 +39,7 @@ WaveformsDescription movingLayout (const Surface& surface, int count, const std:
 
             if (clear)
             {
-                auto& sound = description.tracks[0].signal;
+                auto& sound = description.tracks[0].events[0].signal;
 
                 if (signal == "AM")
                     std::get<ToneSignal> (sound).duration = way / speed;

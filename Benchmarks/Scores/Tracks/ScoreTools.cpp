@@ -71,7 +71,7 @@ WaveformsDescription layout (const Surface& surface, int count, const std::strin
     WaveformsDescription description;
     auto& track = description.tracks.emplace_back();
     track.point = points.front();
-    track.signal = signalNamed (signal, seed);
+    track.events[0].signal = signalNamed (signal, seed);
     description.silent.assign (points.begin() + 1, points.end());
     return description;
 }

@@ -240,9 +240,11 @@ void FocusVoices::trigger (const FocusEvent& event)
         fadeWhere ([&] (const Voice& voice) { return voice.place == event.place; });
 
     auto& voice = freeVoice();
-    const auto delay = settings.focusOnNote ? latency - focus->synthesiser.focusSample() : 0;
+    // A prepared focus may be later than those of notes, and is no note.
+    const auto isNote = event.place < FocusBank::firstPreparedPlace;
+    const auto delay = settings.focusOnNote && isNote ? latency - focus->synthesiser.focusSample() : 0;
     voice = { focus, current, event.place, event.amplitude, clock + delay, counts.triggered };
-    voice.holdsBrake = settings.noteOff == NoteOffBehaviour::brake && focus->brake.has_value();
+    voice.holdsBrake = isNote && settings.noteOff == NoteOffBehaviour::brake && focus->brake.has_value();
     ++banks[static_cast<std::size_t> (current)].users;
     ++counts.triggered;
     noteBegun (event, &voice);

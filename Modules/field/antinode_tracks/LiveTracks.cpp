@@ -81,6 +81,7 @@ TrackDesign liveTracks (const ModalModel& model, const WaveformsDescription& des
     design.latency = filters.latency();
     design.error = filters.error;
     design.iterations = filters.iterations;
+    design.warnings = description.warnings;
     design.peaks = design.voltages.values.cwiseAbs().rowwise().maxCoeff();
     design.limitUse.unlimitedPeak = timesLimits (model, settings.sampleRate, design.voltages.values.transpose());
 

@@ -216,7 +216,7 @@ void requireDistinctPoints (const ModalModel& model, const WaveformsDescription&
     auto places = description;
 
     for (auto& track : places.tracks)
-        track.signal = {}; // A recording is long, and would be copied every time.
+        track.events.clear(); // A recording is long, and would be copied every time.
 
     for (const auto time : times)
         requireDistinct (model, stillAt (places, time),

@@ -85,12 +85,13 @@ TrackReach tracksWithinLimits (const ModalModel& model, const WaveformsDescripti
 std::vector<std::string> warningsOf (const WaveformsDescription& description, double rate)
 {
     const auto reach = kaiserSincHalfWidth / rate;
+    auto warnings = description.warnings;
 
     if (std::min (description.preRoll, description.postRoll) < reach)
-        return { "Voltages begin and end up to " + inWords (reach * milli)
-                 + " ms beyond the tracks, by which samples are interpolated." };
+        warnings.push_back ("Voltages begin and end up to " + inWords (reach * milli)
+                            + " ms beyond the tracks, by which samples are interpolated.");
 
-    return {};
+    return warnings;
 }
 } // namespace
 

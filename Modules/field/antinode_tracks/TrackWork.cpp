@@ -6,6 +6,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_base/Watch.h>
 #include <antinode_fingers/Sensation.h>
 #include <antinode_numerics/Decompositions.h>
 #include <antinode_numerics/Fourier.h>
@@ -226,18 +227,24 @@ double largestVelocityOf (const Eigen::VectorXd& displacement, double sampleRate
     return peakBetweenSamples (inverseFourier (spectrum, length));
 }
 
-void requireInBand (const WaveformsDescription& description, std::size_t track)
+/** An event as a file numbers it: "waveforms: track 2 event 3"; without its number where the track has one. */
+std::string eventInWords (const WaveformsDescription& description, std::size_t track, std::size_t event)
 {
-    const auto check = [&] (const auto& signal)
+    const auto isOnly = description.tracks[track].events.size() == 1;
+    return "waveforms: " + pointInWords (description, track) + (isOnly ? "" : " event " + std::to_string (event + 1));
+}
+
+void requireInBand (const TrackSignal& signal, TrackBand band, const std::string& where)
+{
+    const auto check = [&] (const auto& each)
     {
-        if constexpr (requires { signal.frequency; })
-            if (! (signal.frequency >= description.band.lower && signal.frequency <= description.band.upper))
-                throw InputError ("waveforms: " + pointInWords (description, track) + " frequency",
-                                  "is " + inWords (signal.frequency) + " Hz; allowed: the band, "
-                                      + inWords (description.band.lower) + " to " + inWords (description.band.upper)
-                                      + " Hz");
+        if constexpr (requires { each.frequency; })
+            if (! (each.frequency >= band.lower && each.frequency <= band.upper))
+                throw InputError (where + " frequency", "is " + inWords (each.frequency) + " Hz; allowed: the band, "
+                                                            + inWords (band.lower) + " to " + inWords (band.upper)
+                                                            + " Hz");
     };
-    std::visit (check, description.tracks[track].signal);
+    std::visit (check, signal);
 }
 
 /** What to multiply a waveform by so that it has its level. */
@@ -268,17 +275,24 @@ Eigen::MatrixXd wantedMotion (const WaveformsDescription& description, const Ski
 
     for (std::size_t p = 0; p < description.tracks.size(); ++p)
     {
-        requireInBand (description, p);
-        const auto& track = description.tracks[p];
-        const auto first = std::llround (track.start * sampleRate);
-        const auto waveform = signalSamples (track.signal, description.band, sampleRate);
+        const auto& events = description.tracks[p].events;
 
-        if (! (waveform.cwiseAbs().maxCoeff() > 0))
-            throw InputError ("waveforms: " + pointInWords (description, p), "is silent within the band");
+        for (std::size_t e = 0; e < events.size(); ++e)
+        {
+            checkWatch();
+            const auto& event = events[e];
+            const auto where = eventInWords (description, p, e);
+            requireInBand (event.signal, description.band, where);
+            const auto first = std::llround (event.start * sampleRate);
+            const auto waveform = signalSamples (event.signal, description.band, sampleRate);
 
-        const auto count = std::min<Eigen::Index> (waveform.size(), samples - first);
-        motion.col (static_cast<Eigen::Index> (p)).segment (first, count) =
-            scaleFor (waveform, sampleRate, track.level, threshold) * waveform.head (count);
+            if (! (waveform.cwiseAbs().maxCoeff() > 0))
+                throw InputError (where, "is silent within the band");
+
+            const auto count = std::min<Eigen::Index> (waveform.size(), samples - first);
+            motion.col (static_cast<Eigen::Index> (p)).segment (first, count) +=
+                event.amplitude * scaleFor (waveform, sampleRate, event.level, threshold) * waveform.head (count);
+        }
     }
 
     return motion;

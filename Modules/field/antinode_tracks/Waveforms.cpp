@@ -13,6 +13,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 namespace antinode
 {
@@ -212,6 +213,15 @@ void requirePath (const Surface& surface, const TouchedPoint& point, const std::
                           "is " + inWords (length) + " m long; allowed: " + inWords (longest) + " m or less");
 }
 
+bool isAtOnePlace (const TouchedPoint& a, const TouchedPoint& b)
+{
+    constexpr double same = 1e-6; // m
+    const auto isSameCorner = [] (const PathPoint& p, const PathPoint& q)
+    { return p.time == q.time && std::hypot (p.x - q.x, p.y - q.y) < same; };
+    return std::hypot (a.x - b.x, a.y - b.y) < same
+           && std::equal (a.path.begin(), a.path.end(), b.path.begin(), b.path.end(), isSameCorner);
+}
+
 /** How far all points together have moved at the corners of their paths. */
 struct Travel
 {
@@ -246,6 +256,36 @@ Travel travelOf (const std::vector<TouchedPoint>& points)
     return travel;
 }
 } // namespace
+
+WaveformsDescription withSummedTracks (WaveformsDescription description)
+{
+    std::vector<Track> kept;
+    const auto given = std::move (description.tracks);
+
+    for (std::size_t i = 0; i < given.size(); ++i)
+    {
+        const auto& track = given[i];
+        const auto same = std::find_if (kept.begin(), kept.end(),
+                                        [&] (const Track& other) { return isAtOnePlace (other.point, track.point); });
+
+        if (same == kept.end())
+        {
+            kept.push_back (track);
+            continue;
+        }
+
+        same->events.insert (same->events.end(), track.events.begin(), track.events.end());
+
+        if (! same->point.finger)
+            same->point.finger = track.point.finger;
+
+        description.warnings.push_back ("Track " + std::to_string (i + 1)
+                                        + " is at the place of another track: the waveform there is their sum.");
+    }
+
+    description.tracks = std::move (kept);
+    return description;
+}
 
 std::vector<TouchedPoint> touchedPoints (const WaveformsDescription& description)
 {
@@ -346,7 +386,8 @@ double tracksDuration (const WaveformsDescription& description)
     double duration = 0;
 
     for (const auto& track : description.tracks)
-        duration = std::max (duration, track.start + signalDuration (track.signal));
+        for (const auto& event : track.events)
+            duration = std::max (duration, event.start + signalDuration (event.signal));
 
     return duration;
 }
@@ -358,6 +399,10 @@ void requirePlaces (const Surface& surface, const WaveformsDescription& descript
     for (std::size_t p = 0; p < points.size(); ++p)
     {
         const auto which = "waveforms: " + pointInWords (description, p);
+
+        if (std::isnan (points[p].x))
+            throw InputError (which, "has no place; allowed: --at X,Y, or x_mm and y_mm");
+
         requireOnSurface (surface, points[p].x, points[p].y, which);
         requirePath (surface, points[p], which);
     }

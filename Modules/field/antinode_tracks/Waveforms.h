@@ -69,7 +69,7 @@ double signalDuration (const TrackSignal&);
     [worker] Docs/Theory.md, section 4.13. */
 Eigen::VectorXd signalSamples (const TrackSignal&, TrackBand, double sampleRate);
 
-/** What the level of a track is. */
+/** What the level of an event is. */
 enum class LevelKind
 {
     displacement, ///< Its largest displacement, m.
@@ -94,18 +94,25 @@ struct PathPoint
 struct TouchedPoint
 {
     std::string name;
-    double x = 0, y = 0;          ///< m, where the path begins if there is one.
+    double x = 0, y = 0;          ///< m, where the path begins if there is one; NaN: it has no place yet.
     std::optional<Finger> finger; ///< What rests there; none: nothing that changes the motion.
     std::vector<PathPoint> path;  ///< Ascending in time, straight lines in between; empty: it stays.
 };
 
-/** What one finger is to feel: the displacement of the surface beneath it. */
+/** A signal at a time. */
+struct TrackEvent
+{
+    TrackSignal signal;
+    TrackLevel level;
+    double amplitude = 1; ///< The share of its level that it has, above 0.
+    double start = 0;     ///< s after the trigger, at least 0.
+};
+
+/** What one finger is to feel: the displacement of the surface beneath it, the sum of events. */
 struct Track
 {
     TouchedPoint point;
-    TrackSignal signal;
-    TrackLevel level;
-    double start = 0; ///< s after the trigger, at least 0.
+    std::vector<TrackEvent> events = std::vector<TrackEvent> (1); ///< At least one.
 };
 
 /** Waveforms at touched points: every track at its own point, nothing at the others. */
@@ -116,7 +123,12 @@ struct WaveformsDescription
     double preRoll = 0.01, postRoll = 0.02; ///< s of voltages before the first and after the last track.
     std::vector<Track> tracks;              ///< At least one.
     std::vector<TouchedPoint> silent;       ///< Fingers that are to feel nothing.
+    std::vector<std::string> warnings;      ///< Sentences of its reader.
 };
+
+/** Tracks at one place, or along one path, as one with the events of all and the finger of the first that has one. A
+    warning names them. [any] */
+WaveformsDescription withSummedTracks (WaveformsDescription);
 
 /** All touched points, those with tracks first. [any] */
 std::vector<TouchedPoint> touchedPoints (const WaveformsDescription&);
@@ -144,7 +156,8 @@ std::vector<double> timesOfPlaces (const WaveformsDescription&, double step,
 /** How long the tracks are, from the trigger to the end of the last, s. [any] */
 double tracksDuration (const WaveformsDescription&);
 
-/** Checks that all points stay on a surface; a path has times that ascend, at most 2 m/s and 10 m, and no finger on it.
+/** Checks that all points have a place and stay on a surface; a path has times that ascend, at most 2 m/s and 10 m, and
+   no finger on it.
     @throws InputError  which point, where, what is allowed [any] */
 void requirePlaces (const Surface&, const WaveformsDescription&);
 

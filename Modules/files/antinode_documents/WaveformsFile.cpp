@@ -10,12 +10,14 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace antinode
 {
 namespace
 {
-constexpr std::size_t maximumTracks = 64, maximumCorners = 1000;
+constexpr std::size_t maximumTracks = 64, maximumCorners = 1000, maximumEvents = 10000, maximumWarnings = 100;
 constexpr NumberRange bandFrequency { 1, 10000 };
 constexpr NumberRange signalFrequency { 1, 10000 };
 constexpr NumberRange signalMilliseconds { 0.1, 600000 };
@@ -26,6 +28,7 @@ constexpr NumberRange levelMicrometres { 1e-6, 1e6 };
 constexpr NumberRange levelMillimetresPerSecond { 1e-6, 1e7 };
 constexpr NumberRange levelDecibels { -60, 120 };
 constexpr NumberRange depth { 0, 1 };
+constexpr NumberRange eventAmplitude { 1e-6, 1e6 };
 constexpr int largestSeed = 1000000000;
 constexpr NumberRange signalRate { 100, 2e6 }, signalValue { -1e6, 1e6 };
 constexpr std::size_t mostSignalSamples = 10'000'000;
@@ -66,9 +69,15 @@ std::vector<PathPoint> readPath (const JsonValue& value)
     return path;
 }
 
-/** A place that stays, or a path that begins at it. */
-void readPlace (const JsonObject& object, TouchedPoint& point)
+/** A place that stays, or a path that begins at it. @param isOptional  it may be given later */
+void readPlace (const JsonObject& object, TouchedPoint& point, bool isOptional)
 {
+    if (isOptional && ! object.has ("x_mm") && ! object.has ("y_mm") && ! object.has ("path"))
+    {
+        point.x = point.y = std::numeric_limits<double>::quiet_NaN();
+        return;
+    }
+
     const auto [key, place] = object.oneOf ("x_mm", "path");
 
     if (key == "x_mm")
@@ -86,10 +95,10 @@ void readPlace (const JsonObject& object, TouchedPoint& point)
     point.y = point.path.front().y;
 }
 
-TouchedPoint readPoint (const JsonObject& object)
+TouchedPoint readPoint (const JsonObject& object, bool mayLackPlace)
 {
     TouchedPoint point;
-    readPlace (object, point);
+    readPlace (object, point, mayLackPlace);
 
     if (const auto name = object.optional ("name"))
         point.name = name->text (ranges::maximumNameBytes);
@@ -194,14 +203,14 @@ TrackSignal readSignal (const JsonValue& value, const std::filesystem::path& fol
     return readRecording (value, folder);
 }
 
-TrackLevel readLevel (const JsonObject& object)
+TrackLevel readLevel (const JsonObject& object, const TrackLevel& usual)
 {
     const auto micrometres = object.optional ("level_um");
     const auto velocity = object.optional ("level_mm_s");
     const auto sensation = object.optional ("level_dB_SL");
 
-    if (micrometres.has_value() + velocity.has_value() + sensation.has_value() != 1)
-        object.fail ("needs exactly one of 'level_um', 'level_mm_s' and 'level_dB_SL'");
+    if (micrometres.has_value() + velocity.has_value() + sensation.has_value() > 1)
+        object.fail ("has several levels; allowed: one of 'level_um', 'level_mm_s' and 'level_dB_SL'");
 
     if (micrometres)
         return { LevelKind::displacement, micrometre * micrometres->number (levelMicrometres) };
@@ -209,18 +218,45 @@ TrackLevel readLevel (const JsonObject& object)
     if (velocity)
         return { LevelKind::velocity, fromMillimetres (velocity->number (levelMillimetresPerSecond)) };
 
-    return { LevelKind::sensation, sensation->number (levelDecibels) };
+    return sensation ? TrackLevel { LevelKind::sensation, sensation->number (levelDecibels) } : usual;
+}
+
+/** One event, of a list or as the track itself gives it. @param usual  its level where it gives none */
+TrackEvent readEvent (const JsonObject& object, const TrackLevel& usual, const std::filesystem::path& folder)
+{
+    TrackEvent event;
+    event.signal = readSignal (object.required ("signal"), folder);
+    event.level = readLevel (object, usual);
+    event.amplitude = numberOr (object, "amplitude", eventAmplitude, event.amplitude);
+    event.start = millisecondsOr (object, "start_ms", startMilliseconds, 0);
+    return event;
 }
 
 Track readTrack (const JsonValue& value, const std::filesystem::path& folder)
 {
-    const auto object = value.object (
-        { "name", "x_mm", "y_mm", "path", "finger", "signal", "level_um", "level_mm_s", "level_dB_SL", "start_ms" });
+    constexpr TrackLevel usual { LevelKind::sensation, 25 };
+    const auto object = value.object ({ "name", "x_mm", "y_mm", "path", "finger", "signal", "level_um", "level_mm_s",
+                                        "level_dB_SL", "amplitude", "start_ms", "events" });
     Track track;
-    track.point = readPoint (object);
-    track.signal = readSignal (object.required ("signal"), folder);
-    track.level = readLevel (object);
-    track.start = millisecondsOr (object, "start_ms", startMilliseconds, 0);
+    track.point = readPoint (object, true);
+
+    if (object.oneOf ("signal", "events").first == "signal")
+    {
+        track.events = { readEvent (object, usual, folder) };
+        return track;
+    }
+
+    if (object.has ("amplitude") || object.has ("start_ms"))
+        object.fail ("has 'events' and of its own 'amplitude' or 'start_ms'; allowed: in each event");
+
+    const auto level = readLevel (object, usual);
+    track.events.clear();
+
+    for (const auto& event : object.required ("events").items (1, maximumEvents))
+        track.events.push_back (
+            readEvent (event.object ({ "signal", "level_um", "level_mm_s", "level_dB_SL", "amplitude", "start_ms" }),
+                       level, folder));
+
     return track;
 }
 
@@ -251,8 +287,8 @@ WaveformsDescription readWaveforms (const nlohmann::json& document, const std::s
 {
     const JsonValue value (document, source);
     value.requireSchema ("antinode.waveforms/1");
-    const auto object = value.object (
-        { "schema", "name", "description", "device", "band_Hz", "pre_roll_ms", "post_roll_ms", "tracks", "silent" });
+    const auto object = value.object ({ "schema", "name", "description", "device", "band_Hz", "pre_roll_ms",
+                                        "post_roll_ms", "tracks", "silent", "warnings" });
     WaveformsDescription description;
 
     if (const auto name = object.optional ("name"))
@@ -274,8 +310,13 @@ WaveformsDescription readWaveforms (const nlohmann::json& document, const std::s
 
     if (const auto silent = object.optional ("silent"))
         for (const auto& finger : silent->items (0, maximumTracks))
-            description.silent.push_back (readPoint (finger.object ({ "name", "x_mm", "y_mm", "path", "finger" })));
+            description.silent.push_back (
+                readPoint (finger.object ({ "name", "x_mm", "y_mm", "path", "finger" }), false));
 
-    return description;
+    if (const auto warnings = object.optional ("warnings"))
+        for (const auto& warning : warnings->items (0, maximumWarnings))
+            description.warnings.push_back (warning.text (ranges::maximumDescriptionBytes));
+
+    return withSummedTracks (std::move (description));
 }
 } // namespace antinode

@@ -234,6 +234,7 @@ PerformedWaveforms judgeVoltages (const ModalModel& known, const ModalModel& jud
     PerformedWaveforms performed;
     auto& design = performed.design;
     design.description = description;
+    design.warnings = description.warnings;
     design.wanted = wantedAsPlayed (known, description, settings);
     design.designRate = settings.sampleRate;
     design.voltages = { { Reconstruction::bandLimited, settings.sampleRate }, 0, voltages };

@@ -406,12 +406,12 @@ std::vector<std::string> powerInWords (const ModalModel& model, const FocusPower
     const auto& repeated = power.repeated;
     const auto most = largestBy (once.ceramics, &CeramicFlow::peakCurrent);
     const auto slewest = largestBy (once.ceramics, &CeramicFlow::peakSlew);
-    const auto often = " at " + inWords (repeated.rate) + " foci per second";
+    const auto often = " at " + inWords (repeated.rate) + " events per second";
     return { inWords (once.ceramics[most].peakCurrent * milli) + " mA at most (" + model.ceramics[most].name + "), "
                  + inWords (once.peakCurrent * milli) + " mA in all; "
                  + inWords (repeated.ceramics[most].rmsCurrent * milli) + " mA RMS" + often + "; slew at most "
                  + inWords (once.ceramics[slewest].peakSlew / micro) + " V/us",
-             inWords (once.electricalIn() * micro) + " uJ per focus, " + inWords (once.dielectricLoss() * micro)
+             inWords (once.electricalIn() * micro) + " uJ per event, " + inWords (once.dielectricLoss() * micro)
                  + " uJ of them heat the ceramics; " + inWords (repeated.realPower * milli) + " mW and "
                  + inWords (repeated.reactivePower * milli) + " mvar" + often
                  + (repeated.overlaps ? ", which overlap: added as if they did not" : ""),

@@ -114,7 +114,7 @@ RepeatedPower repeatedPower (const ModalModel&, const PowerFlow&, double rate);
 /** Which kind of amplifier does, in a sentence. [any] */
 std::string amplifierAdvice (const RepeatedPower&);
 
-/** The power of a focus, or why it cannot be told. */
+/** The power of an event, a focus or waveforms at fingers, or why it cannot be told. */
 struct FocusPower
 {
     std::string obstacle; ///< Empty where the rest holds.

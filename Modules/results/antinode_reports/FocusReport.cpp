@@ -194,7 +194,7 @@ ReportPage focusReport (const RenderedFocus& focus, const FocusOutcome& outcome)
         page.sections.insert (page.sections.begin() + 1, feltSection (focus));
 
     if (focus.power)
-        page.sections.insert (page.sections.end() - 1, powerSection (focus));
+        page.sections.insert (page.sections.end() - 1, powerSection (focus.model, *focus.power));
 
     page.links = { { "summary.json", "summary.json" }, { "design.json", "design.json" }, { "probe.csv", "probe.csv" } };
     page.footer =
@@ -324,12 +324,12 @@ namespace
 {
 std::string perSecond (const RepeatedPower& power)
 {
-    return inWords (power.rate) + " foci per second";
+    return inWords (power.rate) + " events per second";
 }
 
 ReportTable onceTable (const ModalModel& model, const PowerFlow& flow)
 {
-    ReportTable table { "Each ceramic during one focus",
+    ReportTable table { "Each ceramic during one event",
                         { "ceramic", "capacitance (nF)", "peak voltage (V)", "peak slew (V/\xC2\xB5s)",
                           "peak current (mA)",
                           "peak charge (\xC2\xB5"
@@ -382,9 +382,8 @@ ReportTable amplifierTable (const RepeatedPower& power)
 }
 } // namespace
 
-ReportSection powerSection (const RenderedFocus& focus)
+ReportSection powerSection (const ModalModel& model, const FocusPower& power)
 {
-    const auto& power = focus.power.value();
     ReportSection section;
     section.heading = "Power, energy and current";
 
@@ -396,7 +395,7 @@ ReportSection powerSection (const RenderedFocus& focus)
 
     const auto& once = power.once;
     section.paragraphs = {
-        "One focus takes " + inWords (once.drawn() * micro) + " \xC2\xB5J from the amplifiers and gives back "
+        "One event takes " + inWords (once.drawn() * micro) + " \xC2\xB5J from the amplifiers and gives back "
             + inWords (once.returned() * micro) + " \xC2\xB5J. Of the difference, "
             + inWords (once.electricalIn() * micro) + " \xC2\xB5J, dielectric loss heats the ceramics with "
             + inWords (once.dielectricLoss() * micro) + " \xC2\xB5J and damping turns "
@@ -407,13 +406,14 @@ ReportSection powerSection (const RenderedFocus& focus)
             + inWords (once.peakCurrent * milli) + " mA.",
         "At " + perSecond (power.repeated) + " the ceramics take " + inWords (power.repeated.realPower * milli)
             + " mW and " + inWords (power.repeated.reactivePower * milli) + " mvar"
-            + (power.repeated.overlaps ? "; foci overlap at this rate, and their energies are added as if they did not"
-                                       : "")
+            + (power.repeated.overlaps
+                   ? "; events overlap at this rate, and their energies are added as if they did not"
+                   : "")
             + ". " + amplifierAdvice (power.repeated),
         "Dielectric loss is that of small signals; at high fields it is several times as large. The warming is a "
         "steady state in still air with 10 W/(m\xC2\xB2 K) from one face; conduction into the body lowers it."
     };
-    section.tables = { onceTable (focus.model, once), repeatedTable (focus.model, power.repeated),
+    section.tables = { onceTable (model, once), repeatedTable (model, power.repeated),
                        amplifierTable (power.repeated) };
     return section;
 }

@@ -3,7 +3,7 @@
 #include "Report.h"
 
 #include <antinode_render/FocusOutcome.h>
-#include <antinode_render/RenderedFocus.h>
+#include <antinode_render/PowerFlow.h>
 
 #include <vector>
 
@@ -17,7 +17,7 @@ ReportPage focusReport (const RenderedFocus&, const FocusOutcome&);
    and what is reached, then what limits it, then the internal scores. [any] */
 std::vector<ReportScore> focusScores (const RenderedFocus&, const FocusOutcome&);
 
-/** Current, energy and power of a focus and of its repetition: per ceramic, in all, and of amplifiers. The focus has
-   them. [worker] Docs/Theory.md, section 6.8. */
-ReportSection powerSection (const RenderedFocus&);
+/** Current, energy and power of an event, a focus or waveforms at fingers, and of its repetition: per ceramic, in all,
+   and of amplifiers. [worker] Docs/Theory.md, section 6.8. */
+ReportSection powerSection (const ModalModel&, const FocusPower&);
 } // namespace antinode

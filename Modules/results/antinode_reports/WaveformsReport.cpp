@@ -1,6 +1,7 @@
 #include "WaveformsReport.h"
 
 #include "FieldFigures.h"
+#include "FocusReport.h"
 
 #include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
@@ -278,6 +279,11 @@ std::vector<ReportScore> waveformScores (const PerformedWaveforms& performed)
     scores.push_back ({ "Error of a track", formatted ("%.1e", error),
                         "Energy of reached minus wanted over that of the wanted waveform, the worst track." });
     scores.push_back ({ "Peak voltage", inWords (performed.design.peaks.maxCoeff()) + " V", "Of all ceramics." });
+
+    if (performed.power.obstacle.empty())
+        scores.push_back ({ "Energy", inWords (performed.power.once.electricalIn() * milli) + " mJ",
+                            "Taken by the ceramics in one play." });
+
     return scores;
 }
 } // namespace
@@ -299,7 +305,8 @@ ReportPage waveformsReport (const PerformedWaveforms& performed)
                     + inWords (performed.played.sampleRate) + " Hz";
     page.scores = waveformScores (performed);
     page.warnings = performed.design.warnings;
-    page.sections = { waveformSection (performed), elsewhereSection (performed), trackVoltageSection (performed) };
+    page.sections = { waveformSection (performed), elsewhereSection (performed), trackVoltageSection (performed),
+                      powerSection (performed.judge, performed.power) };
     page.links = { { "summary.json", "summary.json" } };
     page.footer = "Antinode " ANTINODE_VERSION
                   ". The waveforms are computed in time by a model of more modes than the design knows.";

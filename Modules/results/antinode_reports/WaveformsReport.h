@@ -10,6 +10,6 @@ namespace antinode
 ChartGrid fingerWaveformsChart (const PerformedWaveforms&);
 
 /** The report of waveforms at fingers: scores, what each finger gets over time and frequency, the felt level elsewhere,
-    voltages, a table. [worker] */
+    voltages, a table, power. [worker] */
 ReportPage waveformsReport (const PerformedWaveforms&);
 } // namespace antinode

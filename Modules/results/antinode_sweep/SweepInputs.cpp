@@ -80,10 +80,17 @@ SweepInputs loadSweep (const std::filesystem::path& file)
 
 namespace
 {
-bool isRecording (const nlohmann::json& track)
+/** The signal of a track or an event, where it is a recording. */
+void embedRecording (nlohmann::json& event, const std::string& source, const std::filesystem::path& folder)
 {
-    return track.is_object() && track.contains ("signal") && track["signal"].is_object()
-           && track["signal"].contains ("kind") && track["signal"]["kind"] == "wav";
+    if (! event.is_object() || ! event.contains ("signal") || ! event["signal"].is_object()
+        || event["signal"].value ("kind", nlohmann::json()) != "wav")
+        return;
+
+    const auto recorded = readRecording (JsonValue (event["signal"], source), folder);
+    event["signal"] = { { "kind", "samples" },
+                        { "sample_rate_Hz", recorded.sampleRate },
+                        { "values", std::vector<double> (recorded.samples.begin(), recorded.samples.end()) } };
 }
 } // namespace
 
@@ -93,13 +100,13 @@ nlohmann::json withRecordings (nlohmann::json document, const std::string& sourc
         return document;
 
     for (auto& track : document["tracks"])
-        if (isRecording (track))
-        {
-            const auto recorded = readRecording (JsonValue (track["signal"], source), folder);
-            track["signal"] = { { "kind", "samples" },
-                                { "sample_rate_Hz", recorded.sampleRate },
-                                { "values", std::vector<double> (recorded.samples.begin(), recorded.samples.end()) } };
-        }
+    {
+        embedRecording (track, source, folder);
+
+        if (track.is_object() && track.contains ("events") && track["events"].is_array())
+            for (auto& event : track["events"])
+                embedRecording (event, source, folder);
+    }
 
     return document;
 }

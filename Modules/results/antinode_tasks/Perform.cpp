@@ -1,5 +1,7 @@
 #include "Perform.h"
 
+#include "Render.h"
+
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
@@ -126,7 +128,9 @@ void writePerformed (const std::filesystem::path& path, const PerformedWaveforms
         folder.write ("design.json",
                       designToJson (performedDesign (performed, *extras.designFor), *extras.designFor).dump() + "\n");
 
-    folder.write ("summary.json", performedToJson (performed).dump (2) + "\n");
+    const auto summary = performedToJson (performed);
+    folder.write ("scores.csv", scoreTable ({ { path.filename().string(), summaryNumbers (summary), {} } }));
+    folder.write ("summary.json", summary.dump (2) + "\n");
     folder.commit();
 }
 

@@ -329,16 +329,19 @@ void addNumbers (Numbers& numbers, const nlohmann::ordered_json& object, const s
             addNumbers (numbers, value, before + key + "_");
 }
 
-/** The weakest target's. */
+/** The weakest target's, or finger's that has a track. */
 void addFeltLevel (Numbers& numbers, const nlohmann::ordered_json& summary)
 {
-    if (! summary.contains ("felt"))
-        return;
-
     auto weakest = std::numeric_limits<double>::infinity();
 
-    for (const auto& target : summary["felt"]["targets"])
-        weakest = std::min (weakest, target["level_dB"].get<double>());
+    if (summary.contains ("felt"))
+        for (const auto& target : summary["felt"]["targets"])
+            weakest = std::min (weakest, target["level_dB"].get<double>());
+
+    if (summary.contains ("fingers"))
+        for (const auto& finger : summary["fingers"])
+            if (finger.value ("has_track", false))
+                weakest = std::min (weakest, finger["level_dB_SL"].get<double>());
 
     if (std::isfinite (weakest))
         numbers.emplace_back ("felt_level_dB", weakest);
@@ -392,7 +395,7 @@ std::vector<std::pair<std::string, double>> summaryNumbers (const nlohmann::orde
 {
     std::vector<std::pair<std::string, double>> numbers;
 
-    if (! summary["targets"].empty())
+    if (summary.contains ("targets") && ! summary["targets"].empty())
     {
         const auto& place = summary["targets"][0]["wanted_place_mm"];
         numbers = { { "x_mm", place[0].get<double>() }, { "y_mm", place[1].get<double>() } };
@@ -442,7 +445,7 @@ std::string scoreTable (const std::vector<SeriesResult>& results)
 
     for (const auto& result : results)
     {
-        text += result.folder;
+        text += csvField (result.folder);
 
         for (const auto& key : keys)
         {

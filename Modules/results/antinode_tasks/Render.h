@@ -98,7 +98,8 @@ std::vector<SeriesFocus> readSeries (const std::vector<std::string>& names, cons
                                      const std::vector<std::string>& assignments);
 
 /** The numbers of a summary, by their keys, behind those of the object that they stand in ("felt_contrast_dB"); before
-    them felt_level_dB of the weakest target, energy_J, peak_current_A and peak_power_W. [any] Docs/FileFormats.md. */
+    them felt_level_dB of the weakest target or finger with a track, energy_J, peak_current_A and peak_power_W. [any]
+   Docs/FileFormats.md. */
 std::vector<std::pair<std::string, double>> summaryNumbers (const nlohmann::ordered_json& summary);
 
 /** The number of a key; NaN where there is none. [any] */

@@ -42,12 +42,11 @@ std::size_t AudioEntry::takeFired (std::span<FocusEvent> events, int count)
 
     const auto place = [&] (const TriggerQueue::Fired& each)
     {
-        if (each.askedAt != stop)
-        {
-            if (each.event.request != 0)
-                playReports.stopBefore (each.event.request);
-        }
-        else if (each.due < position + count || scheduledCount == scheduled.size())
+        const auto isDue = each.due < position + count;
+
+        if (each.askedAt != stop || (! isDue && scheduledCount == scheduled.size()))
+            playReports.cancel (each.event);
+        else if (isDue)
         {
             events[due] = each.event;
             events[due++].offset = static_cast<int> (std::max<std::int64_t> (0, each.due - position));
@@ -72,7 +71,23 @@ std::span<const FocusEvent> AudioEntry::gather (std::span<const FocusEvent> even
 {
     const std::span all (blockEvents);
     const auto playedNotes = notes();
+    const auto stop = std::find_if (events.begin(), events.end(), isStop);
     auto count = takeFired (all, samples);
+
+    // They were asked for before the notes' stop, however late they are due.
+    if (stop != events.end())
+        count =
+            static_cast<std::size_t> (std::remove_if (all.begin(), all.begin() + static_cast<std::ptrdiff_t> (count),
+                                                      [&] (const FocusEvent& event)
+                                                      {
+                                                          const auto isVoid = event.offset > stop->offset;
+
+                                                          if (isVoid)
+                                                              playReports.cancel (event);
+
+                                                          return isVoid;
+                                                      })
+                                      - all.begin());
 
     for (const auto& event : events.first (std::min (events.size(), EventDelay::mostPerBlock)))
         if (isStop (event))
@@ -102,6 +117,12 @@ template <typename Sample>
 void AudioEntry::process (const AudioBlock<Sample>& block, const PlayControls& controls)
 {
     sampleClock.begin (position, block.count, preparedRate, std::chrono::steady_clock::now());
+    const auto limitedBefore = played.levels.allLimitedSamples();
+
+    // Who arms again starts nothing that was asked for before.
+    if (std::exchange (wasArmed, controls.isArmed) && ! controls.isArmed)
+        std::for_each_n (scheduled.begin(), std::exchange (scheduledCount, 0),
+                         [this] (const auto& each) { playReports.cancel (each.event); });
 
     if (auto* const current = paths.current (preparedRate, block.count))
     {
@@ -114,7 +135,10 @@ void AudioEntry::process (const AudioBlock<Sample>& block, const PlayControls& c
                           now, played);
         auto& voices = current->voices();
         playReports.begin (voices.takeBegun(), position + block.count - voices.time() + current->lateSamples(),
-                           played.levels);
+                           limitedBefore);
+
+        if (paths.isLeaving())
+            playReports.stop (played.levels);
     }
     else
         playSilence (block);

@@ -152,6 +152,7 @@ private:
     std::uint64_t playedStop = 0; ///< The newest one, of the audio thread as the next line.
     std::array<TriggerQueue::Fired, mostScheduled> scheduled {}; ///< That are due later.
     std::size_t scheduledCount = 0;
+    bool wasArmed = false;
     std::array<TriggerQueue::Fired, TriggerQueue::capacity> fired {};
     std::array<FocusEvent, 1 + mostScheduled + TriggerQueue::capacity + EventDelay::mostPerBlock> blockEvents {};
     std::int64_t position = 0; ///< Of the session's clock.

@@ -262,11 +262,13 @@ void DesignWorker::designPrepared()
             wanted = found->second;
         }
 
-        wanted.ready (designPreparedPlace (place, wanted.design));
+        if (const auto result = designPreparedPlace (place, wanted.design))
+            wanted.ready (*result);
     }
 }
 
-PreparedFocus DesignWorker::designPreparedPlace (int place, const PrepareDesign& prepareDesign)
+/** @return  none where the worker ends */
+std::optional<PreparedFocus> DesignWorker::designPreparedPlace (int place, const PrepareDesign& prepareDesign)
 {
     const auto index = static_cast<std::size_t> (place - FocusBank::firstPreparedPlace);
     bank.prepared.resize (std::max (bank.prepared.size(), index + 1));
@@ -294,7 +296,7 @@ PreparedFocus DesignWorker::designPreparedPlace (int place, const PrepareDesign&
     }
     catch (const Cancelled&)
     {
-        result.error = "the program ends";
+        return std::nullopt;
     }
     catch (const std::exception& failure)
     {

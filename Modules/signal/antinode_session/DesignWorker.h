@@ -142,7 +142,7 @@ private:
     void run();
     bool isAnyUnprepared() const;
     void designPrepared();
-    PreparedFocus designPreparedPlace (int place, const PrepareDesign&);
+    std::optional<PreparedFocus> designPreparedPlace (int place, const PrepareDesign&);
     void designBank (const DesignRequest&, Clock::time_point asked);
     bool designPlace (const DesignRequest&, int place, const FocusDescription&);
     bool mayContinue (int place, Clock::time_point begin) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace antinode
 {
@@ -12,7 +13,7 @@ void PlayReports::push (const PlayReport& report)
         ++lostCount;
 }
 
-void PlayReports::begin (std::span<const BegunVoice> voices, std::int64_t offset, const LevelMeters& meters)
+void PlayReports::begin (std::span<const BegunVoice> voices, std::int64_t offset, std::int64_t limitedBefore)
 {
     for (const auto& voice : voices)
     {
@@ -26,14 +27,13 @@ void PlayReports::begin (std::span<const BegunVoice> voices, std::int64_t offset
                                   voice.onset + offset, voice.focus + offset };
         push (report);
 
-        // With the oldest ones nothing but their end is lost.
         if (! voice.plays)
             continue;
 
-        if (count == playing.size())
-            finish (0, PlayReport::Kind::finished, meters);
-
-        playing[count++] = { report, voice.end + offset, meters.allLimitedSamples() };
+        if (count < playing.size())
+            playing[count++] = { report, voice.end + offset, limitedBefore };
+        else
+            push ({ PlayReport::Kind::finished, voice.request });
     }
 }
 
@@ -88,6 +88,9 @@ void SampleClock::begin (std::int64_t first, int count, double sampleRate, Time 
 {
     const auto measured = std::chrono::duration<double> (time.time_since_epoch()).count();
     const auto nominal = 1 / sampleRate;
+    // A device's block may come in parts, all of them at once: they say nothing of its time.
+    const auto isPart = first == next && measured - std::exchange (lastCall, measured) < lastLength / 4;
+    lastLength = count * nominal;
     constexpr double widest = 2, narrowest = 0.1; // Hz of the loop: it narrows as it settles
     constexpr double farOff = 0.25;               // s: the device has paused, the loop begins again
 
@@ -96,6 +99,8 @@ void SampleClock::begin (std::int64_t first, int count, double sampleRate, Time 
         now = { first, measured, nominal };
         begun = measured;
     }
+    else if (isPart)
+        now.sample = first;
     else
     {
         const auto bandwidth = std::clamp (1 / std::max (measured - begun, nominal), narrowest, widest);

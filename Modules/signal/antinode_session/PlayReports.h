@@ -40,15 +40,21 @@ class PlayReports
 {
 public:
     /** What began in a block. @param voices  in the player's samples @param offset  from these to the session's
-        [audio thread] */
-    void begin (std::span<const BegunVoice> voices, std::int64_t offset, const LevelMeters&);
+        @param limitedBefore  samples that limiters had clamped before the block [audio thread] */
+    void begin (std::span<const BegunVoice> voices, std::int64_t offset, std::int64_t limitedBefore);
 
     /** Behind a block. @param end  its end @param peakVolts  of it [audio thread] */
     void endBlock (std::int64_t end, float peakVolts, const LevelMeters&);
 
-    /** All that plays fades out, and a request that was void before it began is told, too. [audio thread] */
+    /** All that plays fades out. [audio thread] */
     void stop (const LevelMeters&);
-    void stopBefore (std::uint32_t request) { push ({ PlayReport::Kind::stopped, request }); }
+
+    /** A trigger that is void before it has begun. [audio thread] */
+    void cancel (const FocusEvent& event)
+    {
+        if (event.request != 0)
+            push ({ PlayReport::Kind::stopped, event.request });
+    }
 
     /** The oldest that was not taken. One reader. [any] */
     std::optional<PlayReport> take() { return reports.pop(); }
@@ -105,9 +111,10 @@ private:
 
     std::optional<Line> line() const;
 
-    Line now; ///< Of the audio thread, as the next lines.
+    Line now;                   ///< Of the audio thread, as the next lines.
     double rate = 0, begun = 0; ///< Hz; s, of the first block since the loop began.
     std::int64_t next = -1;
+    double lastCall = 0, lastLength = 0;      ///< s: when the last part came, and how long it was.
     std::atomic<std::uint64_t> version { 0 }; ///< Odd while the next lines are written; 0: nothing was.
     std::atomic<std::int64_t> sample { 0 };
     std::atomic<double> seconds { 0 }, period { 0 };

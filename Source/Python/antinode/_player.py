@@ -6,10 +6,12 @@ import json
 import os
 import queue
 import shutil
+import socket
 import subprocess
 import tempfile
 import threading
 import time
+import weakref
 from dataclasses import dataclass
 from typing import Any, Mapping, Optional, Union
 
@@ -28,12 +30,14 @@ class Prepared:
         captured: how much of the wanted field the controlled modes hold, 0 to 1.
         level_dB_SL: what a fingertip feels there at an amplitude of 1, dB above its threshold.
         focus_s: from the trigger to the focus, s.
+        end_s: from the trigger to the end, s.
     """
 
     volts: float
     captured: float
     level_dB_SL: float
     focus_s: float
+    end_s: float
 
 
 @dataclass(frozen=True)
@@ -48,6 +52,7 @@ class Played:
         level_dB_SL: what a fingertip feels at the place.
         amplitude: of the prepared stimulus, 0 to 1.
         limited: whether the wanted level was above what was prepared, or a limiter held samples.
+        stopped: whether it was stopped before its end.
         duration: s, from the onset to the end.
     """
 
@@ -59,6 +64,7 @@ class Played:
     level_dB_SL: float
     amplitude: float
     limited: bool
+    stopped: bool
     duration: float
 
 
@@ -199,20 +205,20 @@ class _Model:
 
     def prepare(self, name: str, focus: Focus) -> Prepared:
         scores = _antinode.render(focus, self._device, sample_rate_Hz=self.rate).scores
-        level = scores["felt"]["targets"][0]["level_dB"]
-        return Prepared(scores["peak_voltage_V"], scores["captured"], level, scores["focus_time_ms"] / 1000)
+        level, focus_s = scores["felt"]["targets"][0]["level_dB"], scores["focus_time_ms"] / 1000
+        return Prepared(scores["peak_voltage_V"], scores["captured"], level, focus_s, focus_s)
 
     def prepare_waveforms(self, name: str, file: str) -> Prepared:
         scores = _antinode.perform(file, self._device, sample_rate_Hz=self.rate).scores
         level = scores["fingers"][0]["level_dB_SL"]
-        return Prepared(scores["peak_voltage_V"], 1.0, level, 0.0)
+        return Prepared(scores["peak_voltage_V"], 1.0, level, 0.0, 0.0)
 
     def play(self, name: str, prepared: Prepared, amplitude: float, above: bool, at: Optional[float], wait: bool) -> Played:
         onset = time.monotonic() if at is None else at
         sample = round((onset - self._begun) * self.rate)
         return Played(
             onset, onset + prepared.focus_s, sample, sample + round(prepared.focus_s * self.rate),
-            amplitude * prepared.volts, _level(prepared, amplitude), amplitude, above, prepared.focus_s,
+            amplitude * prepared.volts, _level(prepared, amplitude), amplitude, above, False, prepared.end_s,
         )  # fmt: skip
 
     def stop(self) -> None:
@@ -223,6 +229,17 @@ class _Model:
 
     def close(self) -> None:
         pass
+
+
+def _end(process: "subprocess.Popen[bytes]") -> None:
+    """Ends a program that was started, also where nobody closes the player."""
+    if process.poll() is None:
+        process.terminate()
+        try:
+            process.wait(10)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
 
 
 class _Program:
@@ -247,9 +264,9 @@ class _Program:
         self._process: Optional["subprocess.Popen[bytes]"] = None
         self._folder: Optional["tempfile.TemporaryDirectory[str]"] = None
         self._liblo, self._address = liblo, liblo.Address("127.0.0.1", port)
-        if audio is not None:
-            self._start(device, audio, audio_device, port, options)
         try:
+            if audio is not None:
+                self._start(device, audio, audio_device, port, options)
             self._server = liblo.ServerThread()
             self._server.add_method(None, None, self._take)
             self._server.start()
@@ -271,11 +288,17 @@ class _Program:
         command = [program, "--headless", "--arm", "--no-settings", "--type", audio, "--instrument", file,
                    "--osc-port", str(port), "--tuio-port", "0"]  # fmt: skip
         self._errors = open(os.path.join(self._folder.name, "errors"), "w+b")
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
+            try:
+                free.bind(("127.0.0.1", port))
+            except OSError:
+                raise InputError(f"Player: port {port} is in use; end that program, or give another port") from None
         self._process = subprocess.Popen(
             command + (["--device", audio_device] if audio_device else []) + list(options),
             stdout=subprocess.DEVNULL,
             stderr=self._errors,
         )
+        self._end = weakref.finalize(self, _end, self._process)
 
     def _await_program(self) -> None:
         """A program that was started first opens its device and solves it."""
@@ -313,12 +336,13 @@ class _Program:
             try:
                 kind, arguments = self._answers[name].get(timeout=max(0.0, end - time.monotonic()))
             except queue.Empty:
-                raise InputError(f"Player: no answer within {seconds:g} s") from None
-            if kind == "refused":
                 self._answers.pop(name, None)
-                raise InputError(arguments[0])
+                raise InputError(f"Player: no answer within {seconds:g} s") from None
             if kind == wanted:
                 return arguments
+            if kind in ("refused", "finished"):
+                self._answers.pop(name, None)
+                raise InputError(arguments[0] if kind == "refused" else f"'{arguments[0]}': was stopped before it began")
 
     def prepare(self, name: str, focus: Focus) -> Prepared:
         return self._designed(self._say("prepare", name, json.dumps(focus.to_dict())))
@@ -327,9 +351,9 @@ class _Program:
         return self._designed(self._say("waveforms", name, os.path.abspath(file)))
 
     def _designed(self, waiting: str) -> Prepared:
-        _, volts, captured, level, focus = self._hear(waiting, "designed", 10 * self._timeout)
+        _, *made = self._hear(waiting, "designed", 10 * self._timeout)
         self._answers.pop(waiting, None)
-        return Prepared(volts, captured, level, focus)
+        return Prepared(*made)
 
     def play(self, name: str, prepared: Prepared, amplitude: float, above: bool, at: Optional[float], wait: bool) -> Played:
         to_system = time.time() - time.monotonic()
@@ -337,14 +361,14 @@ class _Program:
         waiting = self._say("play", name, ("d", amplitude), *when)
         ahead = max(0.0, at - time.monotonic()) if at is not None else 0.0
         _, onset_sample, focus_sample, onset, focus = self._hear(waiting, "playing", self._timeout + ahead)
-        limited, duration = above, focus - onset
+        limited, stopped = above, False
         if wait:
-            _, _, held, clamped, _ = self._hear(waiting, "finished", self._timeout + 60)
-            limited = above or held > 0 or clamped > 0
+            _, _, held, clamped, outcome = self._hear(waiting, "finished", self._timeout + prepared.end_s)
+            limited, stopped = above or held > 0 or clamped > 0, outcome == "stopped"
         self._answers.pop(waiting, None)
         return Played(
             onset - to_system, focus - to_system, onset_sample, focus_sample,
-            amplitude * prepared.volts, _level(prepared, amplitude), amplitude, limited, duration,
+            amplitude * prepared.volts, _level(prepared, amplitude), amplitude, limited, stopped, prepared.end_s,
         )  # fmt: skip
 
     def stop(self) -> None:
@@ -364,13 +388,8 @@ class _Program:
         return self._status(self._timeout)
 
     def close(self) -> None:
-        if self._process is not None and self._process.poll() is None:
-            self._process.terminate()
-            try:
-                self._process.wait(10)
-            except subprocess.TimeoutExpired:
-                self._process.kill()
-                self._process.wait()
+        if self._process is not None:
+            self._end()
         elif self._process is None and hasattr(self, "_server"):
             self._server.send(self._address, "/antinode/stop")
         if hasattr(self, "_server"):
