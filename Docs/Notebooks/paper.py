@@ -39,6 +39,7 @@ SHAPES = {
 PLACES_MM = [-46, -24, 0, 24, 46]
 GROWTHS = [None, 1, 4]  # None: chosen by the program.
 DETUNINGS = [(0.25, 10, 5), (0.1, 10, 5), (0.5, 20, 10)]  # Frequency, damping, participation: deviations in %.
+NO_LIMIT_V = 1e5
 STUDIED_MODES = [0, 3]  # The print counts those that its vibrometer saw; the sway mode is left out.
 
 
@@ -48,9 +49,7 @@ def cell(shape, place):
     played = {method: an.render(an.focus(name, method=method), duration_ms=27.5) for method in ("exact", "paper")}
     design = played["exact"].design
     peaks = {
-        (growth, drive): an.design(
-            an.focus(name, method="minimum_norm", changes={"transients.drive": drive, "transients.growth": growth})
-        ).peak_voltage_V
+        (growth, drive): least_norm(name, {"transients.drive": drive, "transients.growth": growth}).peak_voltage_V
         for growth in GROWTHS
         for drive in ("paper", "offset_free")
     }
@@ -61,10 +60,16 @@ def cell(shape, place):
     return SimpleNamespace(**played, peaks=peaks, detuned=detuned, needed=modes_needed(name, SHAPES[shape].captured[place]))
 
 
+def least_norm(focus, changes):
+    """The design by rows (29) where no limit binds."""
+    limits = {"limits.voltage_V": NO_LIMIT_V, "limits.full_scale_V": NO_LIMIT_V}
+    return an.design(an.focus(focus, method="paper", voltage_limit_V=NO_LIMIT_V, changes=changes), an.device(changes=limits))
+
+
 def modes_needed(focus, captured):
     """How many modes, by energy, capture as much as the print does; 0 where all of them do not."""
     try:
-        design = an.design(an.focus(focus, method="minimum_norm", changes={"modes": {"captured": captured}}))
+        design = least_norm(focus, {"modes": {"captured": captured}})
     except an.InputError:
         return 0
     return len(design.numbers["controlled_modes"])
@@ -112,7 +117,7 @@ def two_modes(velocity_mm_s=20):
     ]
 
 
-def two_mode_focus(targets, drive, limit_V, is_allocated, growth=(4, 1)):
+def two_mode_focus(targets, drive, limit_V, growth=(4, 1)):
     """As the print has it: ten cycles of the first mode take 26 ms here, so the later of its two instants."""
     return an.focus(
         {
@@ -122,15 +127,50 @@ def two_mode_focus(targets, drive, limit_V, is_allocated, growth=(4, 1)):
             "focus_time_ms": 50,
             "modes": {"count": 2},
             "transients": {"drive": drive, "growth": growth, "cycles": [10, 25]},
-            "allocation": {"method": "paper" if is_allocated else "one_to_one", "voltage_limit_V": limit_V},
+            "allocation": {"method": "paper", "voltage_limit_V": limit_V},
         }
     )
+
+
+def one_ceramic_per_mode(design, modes, limit_V):
+    """The drives of a design, each mode's by the ceramic that moves it most, and what remains of them within a limit."""
+    wanted = {each["mode"] - 1: each["wanted_velocity_m_s_sqrt_kg"] for each in design.numbers["controlled_modes"]}
+    time = np.arange(0, 0.06, 1 / 192_000)
+    voltages = np.zeros((modes.participation.shape[1], time.size))
+    for each in design.oscillations:
+        participation = modes.participation[each["mode"]]
+        ceramic = abs(participation).argmax()
+        since = np.clip(time, each["start_s"], each["end_s"]) - each["start_s"]
+        angle = each["angular_frequency_rad_s"] * since
+        wave = np.exp(each["growth_per_s"] * since) * (each["in_phase"] * np.sin(angle) + each["quadrature"] * np.cos(angle))
+        wave[(time < each["start_s"]) | (time >= each["end_s"])] = 0
+        voltages[ceramic] += wanted[each["mode"]] / participation[ceramic] * wave
+    return time, np.clip(voltages, -limit_V, limit_V), abs(voltages).max()
+
+
+def played_by(modes, time, voltages, focus_time=0.05):
+    """The modal velocities at the focus under voltages that are held from sample to sample (Docs/Theory.md, section 3.1)."""
+    decay = modes.damping_ratios * modes.angular_frequencies_rad_s
+    damped = np.sqrt(modes.angular_frequencies_rad_s**2 - decay**2)
+    poles, step = (-decay + 1j * damped)[:, None], time[1] - time[0]
+    before = time < focus_time - step / 2
+    kept = (1 - np.exp(-poles * step)) / poles * np.exp(poles * (focus_time - time[before]))
+    states = (kept * (modes.participation @ voltages[:, before])).sum(axis=1)
+    return states.real - decay / damped * states.imag
+
+
+def unallocated(targets, drive, limit_V, pair):
+    """As if it had been rendered."""
+    design, modes = an.design(two_mode_focus(targets, drive, 10_000), pair), pair.modes()
+    time, voltages, peak = one_ceramic_per_mode(design, modes, limit_V)
+    velocities = played_by(modes, time, voltages)[:, None]
+    return SimpleNamespace(times_s=time, voltages_V=voltages, modal_velocities=velocities, focus_sample=0, design=design), peak
 
 
 def two_mode_study():
     """Both drives, 20 and 50 V, each mode by one ceramic or allocated, on the pair of ceramics with the least peak."""
     targets = two_modes()
-    free = two_mode_focus(targets, "offset_free", 10_000, True)
+    free = two_mode_focus(targets, "offset_free", 10_000)
     pair = min(
         map(with_ceramics, map(list, itertools.combinations(range(8), 2))),
         key=lambda device: an.design(free, device).peak_voltage_V,
@@ -139,8 +179,11 @@ def two_mode_study():
     for drive, limit, is_allocated in itertools.product(("paper", "offset_free"), (20, 50), (False, True)):
         case = SimpleNamespace(drive=drive, limit_V=limit, is_allocated=is_allocated, rendered=None, peak_V=0.0)
         try:
-            design = an.design(two_mode_focus(targets, drive, limit, is_allocated), pair)
-            case.rendered, case.peak_V = an.render(design), design.peak_voltage_V
+            if is_allocated:
+                design = an.design(two_mode_focus(targets, drive, limit), pair)
+                case.rendered, case.peak_V = an.render(design), design.peak_voltage_V
+            else:
+                case.rendered, case.peak_V = unallocated(targets, drive, limit, pair)
         except an.LimitError as error:
             case.peak_V = error.minimum_peak_voltage_V
         cases.append(case)
@@ -216,7 +259,7 @@ def growth_figure():
     targets = two_modes()
     figure, axes = grid(1, 2, (9.6, 4))
     for growth in (1, 4, 10):
-        focus = two_mode_focus(targets, "paper", 10_000, True, [growth, growth])
+        focus = two_mode_focus(targets, "paper", 10_000, [growth, growth])
         drives = an.design(focus, with_ceramics(range(8))).oscillations
         for axis, mode in zip(axes[0], STUDIED_MODES):
             decay = modes.damping_ratios[mode] * modes.angular_frequencies_rad_s[mode]

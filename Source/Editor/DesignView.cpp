@@ -261,18 +261,18 @@ void DesignView::render (DesignPicture& made)
     show (made);
 }
 
-/** The methods that take no longer than a moment, and the one that plays. */
+/** What this focus needs by the other methods, and by the one that plays. */
 void DesignView::compareMethods (DesignPicture& made, const FocusDesign& designed) const
 {
     const auto& model = loaded.designed ? *loaded.designed : loaded.model;
     const auto chosen = designed.description.allocation.method;
     std::vector<MethodVolts> volts;
 
-    for (const auto method : { AllocationMethod::minimumNorm, AllocationMethod::exact, AllocationMethod::leastVoltage })
+    for (const auto& [word, method] : allocationMethodWords)
         if (method != chosen)
-            volts.push_back ({ methodTraits (method).word, peakBy (method, model, made) });
+            volts.push_back ({ std::string (word), peakBy (method, model, made) });
 
-    volts.push_back ({ std::string (methodTraits (chosen).word) + " (plays)", peakVoltage (designed) });
+    volts.push_back ({ std::string (wordFor (allocationMethodWords, chosen)) + " (plays)", peakVoltage (designed) });
     made.methods = std::make_shared<const Chart> (
         methodVoltsChart (volts, designed.lowerBoundVoltage, designed.program.voltageLimits.maxCoeff()));
 }

@@ -183,13 +183,15 @@ void ParameterControl::makeBar()
 void ParameterControl::makeList (int words)
 {
     auto list = std::make_unique<juce::ComboBox>();
+    const auto& steps = dynamic_cast<const IntegerParameter&> (parameter);
 
     for (int i = 0; i < words; ++i)
-        list->addItem (parameter.getText (parameter.convertTo0to1 (static_cast<float> (i)), longest), i + 1);
+        if (steps.offers (i))
+            list->addItem (parameter.getText (parameter.convertTo0to1 (static_cast<float> (i)), longest), i + 1);
 
     list->setTooltip (helpText (parameter));
     list->onChange = [this, set = list.get()]
-    { link.setAsGesture (parameter.getNormalisableRange().start + static_cast<float> (set->getSelectedItemIndex())); };
+    { link.setAsGesture (parameter.getNormalisableRange().start + static_cast<float> (set->getSelectedId() - 1)); };
     input = std::move (list);
 }
 
@@ -205,13 +207,21 @@ void ParameterControl::makeSwitch()
     input = std::move (button);
 }
 
+/** A value that is not offered is none of the list, so that any of it can be chosen. */
+void ParameterControl::showWord (juce::ComboBox& list, int step)
+{
+    if (list.indexOfItemId (step + 1) >= 0)
+        list.setSelectedId (step + 1, juce::dontSendNotification);
+    else
+        list.setText (parameter.getCurrentValueAsText(), juce::dontSendNotification);
+}
+
 void ParameterControl::show (float value)
 {
     if (auto* const bar = dynamic_cast<juce::Slider*> (input.get()))
         bar->setValue (static_cast<double> (value), juce::dontSendNotification);
     else if (auto* const list = dynamic_cast<juce::ComboBox*> (input.get()))
-        list->setSelectedItemIndex (juce::roundToInt (value - parameter.getNormalisableRange().start),
-                                    juce::dontSendNotification);
+        showWord (*list, juce::roundToInt (value - parameter.getNormalisableRange().start));
     else if (auto* const button = dynamic_cast<juce::ToggleButton*> (input.get()))
     {
         button->setToggleState (value >= 0.5f, juce::dontSendNotification);

@@ -59,6 +59,7 @@ private:
     void makeList (int words);
     void makeSwitch();
     void show (float value);
+    void showWord (juce::ComboBox&, int step);
 
     juce::RangedAudioParameter& parameter;
     ParameterLink link;

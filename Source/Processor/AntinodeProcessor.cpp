@@ -25,6 +25,11 @@ ParameterRange logarithmic (double minimum, double maximum)
     return { minimum, maximum, true };
 }
 
+juce::String wordForHosts (std::string_view word)
+{
+    return juce::String (std::string (word)).replaceCharacter ('_', ' ');
+}
+
 template <typename Words>
 std::vector<juce::String> wordsForHosts (const Words& words)
 {
@@ -32,17 +37,57 @@ std::vector<juce::String> wordsForHosts (const Words& words)
     texts.reserve (std::size (words));
 
     for (const auto& [word, value] : words)
-        texts.push_back (juce::String (std::string (word)).replaceCharacter ('_', ' '));
+        texts.push_back (wordForHosts (word));
 
     return texts;
 }
 
-template <typename Words, typename Value>
-int wordIndex (const Words& words, Value value)
+/** What an index of a host asks for. */
+struct HostMethod
 {
-    const auto found =
-        std::find_if (words.begin(), words.end(), [&] (const auto& word) { return word.second == value; });
-    return static_cast<int> (found - words.begin());
+    AllocationMethod method = AllocationMethod::exact;
+    const RetiredMethod* retired = nullptr;
+
+    bool operator== (const HostMethod&) const = default;
+};
+
+/** Hosts keep the index: methods that are no longer offered stay where they were. */
+constexpr auto hostMethods = []
+{
+    std::array<HostMethod, allocationMethodWords.size() + retiredMethods.size()> methods;
+    methods[0].method = AllocationMethod::exact;
+    methods[1].method = AllocationMethod::paper;
+
+    for (std::size_t i = 0; i < retiredMethods.size(); ++i)
+        methods[2 + i] = { retiredMethods[i].method, &retiredMethods[i] };
+
+    methods.back().method = AllocationMethod::leastVoltage;
+    return methods;
+}();
+
+IntegerTexts methodTexts()
+{
+    std::vector<juce::String> words;
+    std::vector<int> retired;
+
+    for (const auto& each : hostMethods)
+    {
+        if (each.retired != nullptr)
+            retired.push_back (static_cast<int> (words.size()));
+
+        words.push_back (
+            wordForHosts (wordFor (allocationMethodWords, each.method))
+            + (each.retired != nullptr ? " (was " + wordForHosts (each.retired->word) + ")" : juce::String()));
+    }
+
+    return wordTexts (words, std::move (retired));
+}
+
+int shapeIndex (TargetShape shape)
+{
+    const auto found = std::find_if (targetShapeWords.begin(), targetShapeWords.end(),
+                                     [shape] (const auto& word) { return word.second == shape; });
+    return static_cast<int> (found - targetShapeWords.begin());
 }
 } // namespace
 
@@ -61,7 +106,7 @@ Parameters::Parameters (juce::AudioProcessor& processor, const SurfaceSource& mo
     GroupBuilder drive (processor, "drive", "Drive", ordered);
     growth = drive.number ("growth", "Growth", "", { -1, 50 }, -1, unitTexts ("", 2, 0, "chosen"));
     brake = drive.number ("brake", "Brake", "", { 0, 50 }, 0, unitTexts ("", 2, 1.0F + 1e-6F, "as the focus says"));
-    method = drive.choice ("method", "Allocation", wordsForHosts (allocationMethodWords));
+    method = drive.integer ("method", "Allocation", static_cast<int> (hostMethods.size()) - 1, methodTexts());
     voltageLimit = drive.number ("voltage_limit", "Voltage limit", "V", { 0, 500 }, 0,
                                  unitTexts ("V", 1, 1e-6F, "as the focus says"));
     modes = drive.integer ("modes", "Controlled modes", 512, countTexts ("chosen"));
@@ -101,7 +146,9 @@ PlaySettings Parameters::settings() const
     now.focusTimeMilliseconds = static_cast<float> (focusTime->get());
     now.growth = static_cast<float> (growth->get());
     now.brake = static_cast<float> (brake->get());
-    now.method = allocationMethodWords[static_cast<std::size_t> (method->get())].second;
+    const auto& asked = hostMethods[static_cast<std::size_t> (method->get())];
+    now.method = asked.method;
+    now.retired = asked.retired;
     now.voltageLimitVolts = static_cast<float> (voltageLimit->get());
     now.modeCount = modes->get();
     now.probeXPercent = static_cast<float> (probeX->get());
@@ -137,15 +184,17 @@ std::vector<juce::RangedAudioParameter*> Parameters::ofFocus() const
 
 void Parameters::setFocus (const PlaySettings& settings)
 {
+    const auto asked =
+        std::find (hostMethods.begin(), hostMethods.end(), HostMethod { settings.method, settings.retired });
     const std::array wanted { settings.xPercent,
                               settings.yPercent,
                               settings.widthMillimetres,
-                              static_cast<float> (wordIndex (targetShapeWords, settings.shape)),
+                              static_cast<float> (shapeIndex (settings.shape)),
                               settings.peakVelocityMillimetresPerSecond,
                               settings.focusTimeMilliseconds,
                               settings.growth,
                               settings.brake,
-                              static_cast<float> (wordIndex (allocationMethodWords, settings.method)),
+                              static_cast<float> (asked - hostMethods.begin()),
                               settings.voltageLimitVolts,
                               static_cast<float> (settings.modeCount),
                               settings.probeXPercent,
@@ -336,7 +385,12 @@ DeviceProcessor::Playing AntinodeProcessor::playing() const
 /** Those of the device before are over. */
 std::vector<UserMessage> AntinodeProcessor::ownMessages() const
 {
-    return { { Urgency::warning, session().snapshot()->isSolving ? std::string() : session().progress().liveError } };
+    const auto now = session().snapshot();
+    const auto settings = parameters().settings();
+    const auto choice = withMethod (focus()->description, settings.method, settings.retired).allocation;
+    const auto isDesigned = now->model != nullptr && ! now->isAsWritten;
+    return { { Urgency::warning, now->isSolving ? std::string() : session().progress().liveError },
+             { Urgency::caution, isDesigned ? retirementInWords (suitedTo (*now->model, choice)) : std::string() } };
 }
 
 } // namespace antinode

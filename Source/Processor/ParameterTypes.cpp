@@ -104,7 +104,7 @@ IntegerTexts countTexts (const char* wordForNone)
              { return text.trim().equalsIgnoreCase (word) ? 0 : wholeNumberIn (text); } };
 }
 
-IntegerTexts wordTexts (const std::vector<juce::String>& words)
+IntegerTexts wordTexts (const std::vector<juce::String>& words, std::vector<int> retired)
 {
     return { [=] (int value, int maximumLength)
              {
@@ -117,7 +117,8 @@ IntegerTexts wordTexts (const std::vector<juce::String>& words)
                      std::find_if (words.begin(), words.end(),
                                    [&] (const auto& word) { return word.equalsIgnoreCase (text.trim()); });
                  return found == words.end() ? wholeNumberIn (text) : static_cast<int> (found - words.begin());
-             } };
+             },
+             std::move (retired) };
 }
 
 FlagTexts flagTexts (const char* on, const char* off)
@@ -265,6 +266,11 @@ IntegerParameter::IntegerParameter (const juce::ParameterID& identifier, const j
       tellsSteps (wrapper != juce::AudioProcessor::wrapperType_LV2), initialValue (initial), value (initial),
       texts (std::move (textsToUse))
 {
+}
+
+bool IntegerParameter::offers (int wanted) const
+{
+    return std::find (texts.retired.begin(), texts.retired.end(), wanted) == texts.retired.end();
 }
 
 void IntegerParameter::setValue (float share)

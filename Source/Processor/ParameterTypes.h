@@ -24,6 +24,7 @@ struct IntegerTexts
 {
     std::function<juce::String (int value, int maximumLength)> toText;
     std::function<std::optional<int> (const juce::String&)> fromText;
+    std::vector<int> retired = {}; ///< Values that hosts and states may still have, and that no window offers.
 };
 
 struct FlagTexts
@@ -50,7 +51,7 @@ NumberTexts placeTexts (const std::function<std::shared_ptr<const ModalModel>()>
 IntegerTexts countTexts (const char* wordForNone);
 
 /** Words, the first one for 0. [any] */
-IntegerTexts wordTexts (const std::vector<juce::String>& words);
+IntegerTexts wordTexts (const std::vector<juce::String>& words, std::vector<int> retired = {});
 
 /** [any] */
 FlagTexts flagTexts (const char* on, const char* off);
@@ -143,6 +144,9 @@ public:
                       juce::AudioProcessor::WrapperType, int initial = 0);
 
     int get() const { return value; }
+
+    /** Whether windows offer a value. [any] */
+    bool offers (int) const;
 
     const juce::NormalisableRange<float>& getNormalisableRange() const override { return range; }
     int getNumSteps() const override { return juce::roundToInt (range.end) + 1; }

@@ -120,8 +120,7 @@ TEST_CASE ("A full scale of 2 V below a voltage limit of 10 V limits what is ren
     const TemporaryFolder folder;
     const auto run =
         runProgram ({ "render", "--no-report", "--out", folder.path(), "--set", "device.limits.voltage_V=10", "--set",
-                      "device.limits.full_scale_V=2", "--set", "focus.targets.0.peak_velocity_mm_s=4", "--set",
-                      "focus.allocation.method=minimum_peak" });
+                      "device.limits.full_scale_V=2", "--set", "focus.targets.0.peak_velocity_mm_s=3" });
     REQUIRE (run.exitCode == 0);
     CHECK_THAT (run.output, Catch::Contains ("the full scale of the device: ceramic "));
     const auto summary = nlohmann::json::parse (readContent (folder.path() / "summary.json"));
@@ -259,7 +258,7 @@ TEST_CASE ("A design that was written plays the same voltages again, without its
     const TemporaryFolder folder;
     const auto first = folder.path() / "first", again = folder.path() / "again";
     const ProgramArguments common { "--no-report", "--quiet", "--rate", "48000", "--device", "beam" };
-    auto render = ProgramArguments { "render", "--set", "focus.allocation.method=free_waveform", "--out", first };
+    auto render = ProgramArguments { "render", "--set", "focus.allocation.method=least_voltage", "--out", first };
     render.insert (render.end(), common.begin(), common.end());
     REQUIRE (runProgram (render).exitCode == 0);
     const auto design = (first / "design.json").string();

@@ -95,7 +95,7 @@ TEST_CASE ("A design that was written is read to the bit, with its brake and a t
 
 TEST_CASE ("Samples of a design are read to the bit, and say how they are played", "[files]")
 {
-    const auto design = designFocus (plate(), focus (AllocationMethod::freeWaveform), playback);
+    const auto design = designFocus (plate(), focus (AllocationMethod::leastVoltage), playback);
     const auto json = written (design);
     const auto read = readDesign (json, "design.json", plate());
     CHECK (read.program.samples.value().values == design.program.samples.value().values);

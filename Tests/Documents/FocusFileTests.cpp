@@ -62,7 +62,7 @@ TEST_CASE ("A focus is read with all its keys, in SI units", "[files]")
     CHECK (focusWith ("targets.0.time_ms=35").targets[0].time == 0.035);
     CHECK (errorWith ("transients.brake_duration_ms=2000").find ("/transients/brake_duration_ms: is 2000")
            != std::string::npos);
-    CHECK (focus.allocation.method == AllocationMethod::minimumPeak);
+    CHECK (focus.allocation.method == AllocationMethod::paper);
     CHECK (focus.allocation.voltageLimit == 50.0);
     CHECK (focus.allocation.guardModes == 10);
     CHECK (focus.allocation.guardWeight == 30);
@@ -145,18 +145,17 @@ TEST_CASE ("Errors for typical mistakes in focuses give their position and what 
     CHECK (errorWith ("transients.brake=1") == "my.json: /transients/brake: is 1; allowed: above 1 to 1000");
     CHECK (errorWith ("transients.cycles=2.5")
            == "my.json: /transients/cycles: is 2.5; allowed: a whole number from 0 to 1000000");
-    CHECK (errorWith ("allocation.method=free_wave")
-           == "my.json: /allocation/method: is the text 'free_wave' (did you mean 'free_waveform'?); allowed: one of "
-              "'exact', 'paper', 'one_to_one', 'minimum_norm', 'minimum_peak', 'dictionary', 'free_waveform', "
-              "'least_voltage'");
+    CHECK (errorWith ("allocation.method=least_volt")
+           == "my.json: /allocation/method: is the text 'least_volt' (did you mean 'least_voltage'?); allowed: one of "
+              "'exact', 'least_voltage', 'paper'");
     CHECK (errorWith ("allocation.guard_modes=some")
            == "my.json: /allocation/guard_modes: is the text 'some'; allowed: 'all'");
-    CHECK (errorWith ("allocation.robust={}")
-           == "my.json: /allocation/robust: is given with a method other than 'exact' or 'least_voltage'; allowed only "
-              "with 'exact' or 'least_voltage'");
+    CHECK (
+        errorWith ("allocation.robust={}")
+        == "my.json: /allocation/robust: is given with a method other than exact or least_voltage, or up to the limit; "
+           "allowed only with exact, and with least_voltage near its bound");
     CHECK (errorWith ("allocation={\"method\": \"paper\", \"displacement\": \"zero\"}")
-           == "my.json: /allocation/displacement: is 'zero' with a method without exact rows; allowed only with "
-              "'exact', 'minimum_peak' and 'dictionary'");
+           == "my.json: /allocation/displacement: is 'zero' with a method other than exact; allowed only with exact");
     CHECK (errorWith ("allocation={\"displacement\": \"zero\", \"robust\": {}}")
            == "my.json: /allocation/displacement: is 'zero' together with 'robust'; allowed: one of the two");
     CHECK (errorWith ("allocation={\"robust\": {\"frequency_percent\": 11}}")
@@ -196,11 +195,12 @@ TEST_CASE ("Fingers of a focus are read and written, and what is not given is th
            == "my.json: /fingers/0/mass_g: is -1; allowed: 0 to 10");
 }
 
-TEST_CASE ("Where less is to be felt is read and written, with free waveforms without a brake only", "[files][felt]")
+TEST_CASE ("Where less is to be felt is read and written, with samples up to the limit without a brake only",
+           "[files][felt]")
 {
     const std::string focus = R"({ "schema": "antinode.focus/1", "focus_time_ms": 25,
         "targets": [{ "shape": "sinc", "x_mm": 1, "width_mm": 25, "peak_velocity_mm_s": 40 }],
-        "allocation": { "method": "free_waveform" }, "felt": { "at": [[-24, 3], [7, 0]], "weight": 4 } })";
+        "allocation": { "method": "least_voltage", "times_bound": "limit" }, "felt": { "at": [[-24, 3], [7, 0]], "weight": 4 } })";
     const auto read = [&] (std::string_view assignment)
     {
         auto document = parseJson (focus, "focus");
@@ -225,8 +225,73 @@ TEST_CASE ("Where less is to be felt is read and written, with free waveforms wi
                 Catch::Contains ("/felt/at") && Catch::Contains ("everywhere"));
     CHECK_THAT (errorText ([&] { read ("felt.weight=-1"); }), Catch::Contains ("/felt/weight"));
     CHECK_THAT (errorText ([&] { read ("felt.after_ms=1000"); }), Catch::Contains ("/felt/after_ms"));
-    CHECK_THAT (errorText ([&] { read ("allocation.method=exact"); }), Catch::Contains ("free_waveform"));
+    CHECK (read ("allocation={\"method\": \"free_waveform\"}").felt); // As it was written before.
+    CHECK_THAT (errorText ([&] { read ("allocation={\"method\": \"exact\"}"); }),
+                Catch::Contains ("/felt: is given without samples up to the limit"));
+    CHECK_THAT (errorText ([&] { read ("allocation.times_bound=1.3"); }),
+                Catch::Contains ("\"times_bound\": \"limit\""));
     CHECK_THAT (errorText ([&] { read ("transients={\"brake\": 20}"); }), Catch::Contains ("brake"));
+}
+
+TEST_CASE ("Methods that are no longer offered are read as what is nearest, with a sentence that says what to write",
+           "[files]")
+{
+    const auto document = goodFocus ("minimal focus");
+    const auto read = [&] (const std::string& allocation)
+    {
+        auto changed = document;
+        changed["allocation"] = nlohmann::json::parse (allocation);
+        return readFocus (changed, "my.json").allocation;
+    };
+    const auto [word, now, sentence] = GENERATE (table<std::string, std::string, std::string> (
+        { { "one_to_one", R"({ "method": "paper" })",
+            "'paper' is used, which shares each mode among all ceramics and keeps the voltage limit; write 'paper'." },
+          { "minimum_norm", R"({ "method": "paper" })",
+            "'paper' is used, which gives the same voltages where they keep the limit; write 'paper'." },
+          { "minimum_peak", R"({ "method": "exact" })",
+            "'exact' is used, which gives the same velocities at the focus, with more voltage within the limit; write "
+            "'exact'." },
+          { "dictionary", R"({ "method": "least_voltage" })",
+            "'least_voltage' is used, which gives the same velocities at the focus, at about the same voltage; write "
+            "'least_voltage'." },
+          { "free_waveform", R"({ "method": "least_voltage", "times_bound": "limit" })",
+            "'least_voltage' with 'times_bound' at 'limit' is used, which gives the same voltages; write "
+            "'least_voltage' with 'times_bound' at 'limit'." } }));
+    CAPTURE (word);
+    const auto choice = read (R"({ "method": ")" + word + "\" }");
+    CHECK (retirementInWords (choice) == "The allocation method '" + word + "' is no longer offered: " + sentence);
+
+    // Written again it is what would be written today, and has nothing to say.
+    auto focus = readFocus (document, "my.json");
+    focus.allocation = choice;
+    const auto written = focusToJson (focus)["allocation"].dump();
+    focus.allocation = read (now);
+    CHECK (written == focusToJson (focus)["allocation"].dump());
+    CHECK (retirementInWords (read (written)).empty());
+}
+
+TEST_CASE ("Where displacements are to be 0, exact rows stand for a method that is no longer offered", "[files]")
+{
+    const auto focus = focusWith (R"(allocation={ "method": "dictionary", "displacement": "zero" })");
+    CHECK (focus.allocation.method == AllocationMethod::exact);
+    CHECK_THAT (retirementInWords (focus.allocation), Catch::EndsWith ("write 'exact'."));
+}
+
+TEST_CASE ("How near least voltage goes to its bound is a multiple, or the limit", "[files]")
+{
+    const auto with = [] (const std::string& times)
+    { return R"(allocation={ "method": "least_voltage", "times_bound": )" + times + " }"; };
+    CHECK (focusWith (with ("1.4")).allocation.timesBound == 1.4);
+    CHECK (focusWith (with ("\"limit\"")).allocation.timesBound == upToLimits);
+    CHECK (errorWith (with ("\"limits\""))
+           == "my.json: /allocation/times_bound: is the text 'limits' (did you mean 'limit'?); allowed: 'limit'");
+    CHECK (errorWith (with ("1")) == "my.json: /allocation/times_bound: is 1; allowed: 1.02 to 100");
+    CHECK (errorWith (R"(allocation={ "method": "free_waveform", "times_bound": 2 })")
+           == "my.json: /allocation/times_bound: is given with a method other than least_voltage; allowed only with "
+              "least_voltage");
+    CHECK (errorWith (R"(allocation={ "method": "least_voltage", "times_bound": "limit", "robust": {} })")
+               .find ("/allocation/robust: is given")
+           != std::string::npos);
 }
 
 TEST_CASE ("A focus that is to pass undisplaced says so, and still does when it is written", "[files]")

@@ -15,7 +15,8 @@ FocusDescription weightedFocus()
     focus.targets = { { TargetShape::sinc, 0.02, 0, 0.04, 0.04, 1 } };
     focus.focusTime = 0.015;
     focus.modes.count = 5;
-    focus.allocation.method = AllocationMethod::freeWaveform;
+    focus.allocation.method = AllocationMethod::leastVoltage;
+    focus.allocation.timesBound = upToLimits;
     focus.felt = FeltChoice { FeltAt::places, { { -0.06, 0 } }, 1, 0.01, findSkinThreshold ({}) };
     return focus;
 }

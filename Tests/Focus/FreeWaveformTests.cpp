@@ -26,7 +26,8 @@ FocusDescription freeFocus (double limit)
     focus.targets = { { TargetShape::sinc, 0.02, 0, 0.025, 0.04, 1 } };
     focus.focusTime = 0.0150037; // between two samples
     focus.modes.count = 6;
-    focus.allocation.method = AllocationMethod::freeWaveform;
+    focus.allocation.method = AllocationMethod::leastVoltage;
+    focus.allocation.timesBound = upToLimits;
     focus.allocation.voltageLimit = limit;
     return focus;
 }

@@ -32,7 +32,8 @@ FocusDescription quietFocus (double weight, FeltAt at = FeltAt::places)
     focus.targets = { { TargetShape::sinc, 0.02, 0, 0.04, 0.04, 1 } };
     focus.focusTime = 0.015;
     focus.modes.count = 5;
-    focus.allocation.method = AllocationMethod::freeWaveform;
+    focus.allocation.method = AllocationMethod::leastVoltage;
+    focus.allocation.timesBound = upToLimits;
     focus.allocation.voltageLimit = 1000;
     focus.felt = FeltChoice { at, {}, weight, 0.01, findSkinThreshold ({}) };
 

@@ -13,13 +13,14 @@ using namespace antinode;
 
 namespace
 {
-FocusDescription slowFocus (AllocationMethod method)
+FocusDescription slowFocus (double timesBound = usualTimesBound)
 {
     FocusDescription focus;
     focus.targets = { { TargetShape::sinc, 0.02, 0, 0.025, 0.04, 1 } };
     focus.focusTime = 0.015;
     focus.modes.count = 6;
-    focus.allocation.method = method;
+    focus.allocation.method = AllocationMethod::leastVoltage;
+    focus.allocation.timesBound = timesBound;
     return focus;
 }
 
@@ -74,23 +75,23 @@ TEST_CASE ("Free samples keep a slew limit from their first to their last, and e
 {
     const auto model = test::sineBeam (20, 8);
 
-    for (const auto method : { AllocationMethod::freeWaveform, AllocationMethod::leastVoltage })
+    for (const auto timesBound : { upToLimits, usualTimesBound })
         for (const auto rate : { 48000.0, 96000.0 })
         {
             const Playback playback { Reconstruction::bandLimited, rate };
-            const auto free = designFocus (model, slowFocus (method), playback, DesignExtent::playable);
+            const auto free = designFocus (model, slowFocus (timesBound), playback, DesignExtent::playable);
             const auto before = slopesOf (*free.program.samples).values.cwiseAbs().maxCoeff();
 
             for (const auto share : { 0.7, 0.4 })
             {
-                CAPTURE (static_cast<int> (method), rate, share);
+                CAPTURE (timesBound, rate, share);
                 const auto slow = withSlewLimit (model, share * before);
-                const auto design = designFocus (slow, slowFocus (method), playback);
+                const auto design = designFocus (slow, slowFocus (timesBound), playback);
                 CHECK (steepestPlayed (slow, design) <= share * before);
                 CHECK (steepestPlayed (slow, design) > 0.5 * share * before);
 
                 // The least energy is not the least voltage: slower edges may have less.
-                if (method == AllocationMethod::leastVoltage)
+                if (timesBound < upToLimits)
                     CHECK (peakVoltage (design) >= design.lowerBoundVoltage);
 
                 RenderSettings settings;
@@ -114,6 +115,6 @@ TEST_CASE ("A slew limit that samples cannot keep is refused with what it allows
 {
     const auto model = withSlewLimit (test::sineBeam (20, 8), 10);
     const Playback playback { Reconstruction::bandLimited, 48000 };
-    CHECK_THROWS_WITH (designFocus (model, slowFocus (AllocationMethod::leastVoltage), playback),
+    CHECK_THROWS_WITH (designFocus (model, slowFocus(), playback),
                        Catch::Contains ("slew") && Catch::Contains ("this limit allows"));
 }

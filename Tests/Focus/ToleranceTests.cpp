@@ -22,7 +22,7 @@ FocusDesign sincDesign (const ModalModel& model, AllocationMethod method = Alloc
     focus.modes.count = 8;
     focus.allocation.voltageLimit = 150;
     focus.allocation.method = method;
-    const auto isSampled = methodTraits (method).waveforms == AllocatedWaveforms::samples;
+    const auto isSampled = method == AllocationMethod::leastVoltage;
     const auto playback = isSampled ? Playback { Reconstruction::bandLimited, 48000 } : Playback {};
     return designFocus (model, focus, playback, DesignExtent::playable);
 }

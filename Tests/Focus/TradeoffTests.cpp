@@ -47,12 +47,12 @@ TEST_CASE ("A trade-off: more growth takes more voltage for less motion, and not
         [&] (const Tradeoff& soFar)
         {
             CHECK (soFar.expectedShare > last);
-            CHECK (soFar.planned == 46);
+            CHECK (soFar.planned == 22);
             last = soFar.expectedShare;
         },
         [] (const FocusDesign& design) { return peakVoltage (design); });
     CHECK (last == Approx (1));
-    CHECK (tradeoff.points.size() == 46);
+    CHECK (tradeoff.points.size() == 22);
     REQUIRE (tradeoff.lowerBoundVoltage > 0);
     bool hasFront = false;
 

@@ -72,7 +72,7 @@ Eigen::MatrixXd played (const Example& example, double rate, int block, Eigen::I
 
 TEST_CASE ("The real-time graph plays the voltages of the offline render", "[graph]")
 {
-    const auto method = GENERATE (AllocationMethod::exact, AllocationMethod::freeWaveform);
+    const auto method = GENERATE (AllocationMethod::exact, AllocationMethod::leastVoltage);
 
     for (const auto rate : { 48000.0, 192000.0 })
     {
@@ -110,7 +110,7 @@ TEST_CASE ("The real-time graph does not depend on blocks, from 8 kHz to 768 kHz
 
 TEST_CASE ("No voltage of the graph exceeds its ceramic's limit", "[graph]")
 {
-    const Example example (48000, GENERATE (AllocationMethod::exact, AllocationMethod::freeWaveform));
+    const Example example (48000, GENERATE (AllocationMethod::exact, AllocationMethod::leastVoltage));
     const auto result = played (example, 48000, 64, 1200, 1e4);
     CHECK (result.topRows (ceramics).cwiseAbs().maxCoeff() <= 150);
     CHECK (result.allFinite());

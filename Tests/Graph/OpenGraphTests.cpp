@@ -39,7 +39,7 @@ struct Example
             focus.transients.brake = 4;
 
             if (i % 2 == 1)
-                focus.allocation.method = AllocationMethod::freeWaveform;
+                focus.allocation.method = AllocationMethod::leastVoltage;
 
             foci[static_cast<std::size_t> (i)] =
                 std::make_shared<const PlayableFocus> (designFocus (*model, focus, playback).program, playback);

@@ -190,8 +190,7 @@ TEST_CASE ("Hosts are told which parameters have steps, and how many", "[vst3]")
 {
     // The words that a choice has, less one.
     const std::map<std::u16string, int> choices { { u"Shape", static_cast<int> (targetShapeWords.size()) - 1 },
-                                                  { u"Allocation",
-                                                    static_cast<int> (allocationMethodWords.size()) - 1 },
+                                                  { u"Allocation", 7 }, // Those that are no longer offered too.
                                                   { u"Controlled modes", 512 },
                                                   { u"Notes play", 1 },
                                                   { u"Note off", 2 },

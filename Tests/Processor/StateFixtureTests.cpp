@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <fstream>
 #include <iterator>
 
@@ -31,4 +32,64 @@ TEST_CASE ("States of earlier versions load", "[plugin]")
     CHECK (processor->parameters().controls().notes.noteOff == NoteOffBehaviour::brake);
     CHECK_FALSE (processor->parameters().arm().get());
     CHECK (processor->mutes() == 0b10010);
+}
+
+TEST_CASE ("A state with a method that is no longer offered plays the nearest one, and says so until another is chosen",
+           "[plugin]")
+{
+    const auto text = readFixture ("retired-method.json");
+    const auto processor = test::offlineProcessor (8, 48000, 512);
+    const auto retirement = [&]
+    {
+        std::string found;
+
+        for (const auto& message : processor->messages())
+            if (message.text.find ("no longer offered") != std::string::npos)
+                found = message.text;
+
+        return found;
+    };
+    CHECK (retirement().empty());
+    processor->setStateInformation (text.data(), static_cast<int> (text.size()));
+    processor->session().waitUntilSettled();
+    CHECK (processor->warning().isEmpty());
+    CHECK (
+        retirement()
+        == "The allocation method 'minimum_norm' is no longer offered: 'paper' is used, which gives the same voltages "
+           "where they keep the limit; write 'paper'.");
+    auto& method = *processor->parameters().find ("method");
+    CHECK (method.getCurrentValueAsText() == "paper (was minimum norm)");
+    CHECK (processor->session().snapshot()->focus.allocation.method == AllocationMethod::paper);
+
+    // The host's own number stays what it was.
+    juce::MemoryBlock kept;
+    processor->getStateInformation (kept);
+    CHECK (readState ({ static_cast<const char*> (kept.getData()), kept.getSize() }).parameters.at ("method") == 3);
+
+    setValue (method, 0);
+    processor->session().waitUntilSettled();
+    CHECK (processor->session().snapshot()->focus.allocation.method == AllocationMethod::exact);
+    CHECK (retirement().empty());
+}
+
+TEST_CASE ("Each number of the parameter of methods that a host has kept asks for what it did, or the nearest",
+           "[plugin]")
+{
+    const auto processor = test::offlineProcessor (8, 48000, 512);
+    auto& method = *processor->parameters().find ("method");
+    const std::array<AllocationMethod, 8> wanted { AllocationMethod::exact,        AllocationMethod::paper,
+                                                   AllocationMethod::paper,        AllocationMethod::paper,
+                                                   AllocationMethod::exact,        AllocationMethod::leastVoltage,
+                                                   AllocationMethod::leastVoltage, AllocationMethod::leastVoltage };
+
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+    {
+        CAPTURE (i);
+        method.setValueNotifyingHost (static_cast<float> (i) / 7); // The share that a host automates.
+        const auto settings = processor->parameters().settings();
+        CHECK (settings.method == wanted[i]);
+        CHECK ((settings.retired == nullptr) == (i < 2 || i == 7));
+        processor->parameters().setFocus (settings);
+        CHECK (parameterValue (method) == static_cast<double> (i));
+    }
 }

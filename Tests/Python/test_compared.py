@@ -73,9 +73,11 @@ def test_no_point_of_the_front_is_beaten(compared):
 
 
 def test_a_focus_with_felt_is_compared_by_its_weights(program, same_files, tmp_path):
-    felt = ["--set", "focus.allocation.method=free_waveform", "--set", "focus.felt.at=everywhere"]
+    changes = {"allocation.times_bound": "limit", "felt.at": "everywhere"}
+    felt = ["--set", "focus.allocation.method=least_voltage"]
+    felt += [part for key, value in changes.items() for part in ("--set", f"focus.{key}={value}")]
     program("design", "--tradeoff", *felt, "--out", tmp_path / "wanted", "--quiet")
-    tradeoff = an.tradeoff(an.focus(method="free_waveform", changes={"felt.at": "everywhere"}))
+    tradeoff = an.tradeoff(an.focus(method="least_voltage", changes=changes))
     tradeoff.save(tmp_path / "made")
     same_files(tmp_path / "wanted", tmp_path / "made", tradeoff_files)
     weights = [point["weight"] for point in tradeoff.points]

@@ -89,7 +89,7 @@ def test_arrays_of_a_render_are_views():
 
 
 def test_no_voltage_passes_its_limit():
-    rendered = an.render(an.focus(voltage_limit_V=15, method="minimum_peak", x_mm=-24))
+    rendered = an.render(an.focus(voltage_limit_V=15, x_mm=-24))
     assert np.abs(rendered.voltages_V).max() <= 15
 
 

@@ -45,14 +45,14 @@ def test_arguments_of_a_focus_are_keys_of_its_file():
         peak_velocity_mm_s=30,
         shape="gaussian",
         focus_time_ms=15,
-        method="minimum_peak",
+        method="least_voltage",
         voltage_limit_V=40,
         brake_duration_ms=20,
     ).to_dict()
     target = focus["targets"][0]
     assert (target["x_mm"], target["width_mm"], target["peak_velocity_mm_s"], target["shape"]) == (10, 20, 30, "gaussian")
     assert focus["focus_time_ms"] == 15
-    assert focus["allocation"]["method"] == "minimum_peak" and focus["allocation"]["voltage_limit_V"] == 40
+    assert focus["allocation"]["method"] == "least_voltage" and focus["allocation"]["voltage_limit_V"] == 40
     assert focus["transients"]["brake_duration_ms"] == 20
 
 

@@ -24,7 +24,7 @@ def plan(cases=40):
         "evaluate": "closed_form",
         "vary": [
             {"key": "focus.targets.0.x_mm", "uniform": {"minimum": 10, "maximum": 60}},
-            {"key": "focus.allocation.method", "values": ["exact", "minimum_norm"]},
+            {"key": "focus.allocation.method", "values": ["exact", "paper"]},
         ],
         "record": ["v_score_truncated", "field_error_truncated"],
     }

@@ -27,7 +27,7 @@ FocusDescription sincAt (double x, double y, double width)
     FocusDescription focus;
     focus.targets = { { TargetShape::sinc, x, y, width, 0.03, 1 } };
     focus.focusTime = 0.025;
-    focus.allocation.method = AllocationMethod::minimumNorm;
+    focus.allocation.method = AllocationMethod::paper;
     focus.allocation.voltageLimit = 1e4;
     return focus;
 }

@@ -26,7 +26,7 @@ Tradeoff threePoints()
     tradeoff.lowerBoundVoltage = 2;
     tradeoff.points = { pointOf (AllocationMethod::exact, 35, 0.001, true),
                         pointOf (AllocationMethod::paper, 20, 0.009, false),
-                        pointOf (AllocationMethod::minimumPeak, 4, 0.008, true) };
+                        pointOf (AllocationMethod::leastVoltage, 4, 0.008, true) };
     tradeoff.points[0].feltContrast = 12.5;
     return tradeoff;
 }
@@ -36,7 +36,7 @@ TEST_CASE ("A trade-off says what more voltage buys along its front, with the fe
 {
     const auto tradeoff = threePoints();
     const std::string sentence =
-        "More voltage buys less motion before the focus: from 4 V and 8 ms (minimum_peak) to 35 V "
+        "More voltage buys less motion before the focus: from 4 V and 8 ms (least_voltage) to 35 V "
         "and 1 ms (exact, felt contrast 12.5 dB).";
     CHECK (tradeoffToText (tradeoff).find (sentence) != std::string::npos);
     CHECK (tradeoffReport (tradeoff, "focus", "device").sections.front().paragraphs.back() == sentence);
@@ -46,7 +46,7 @@ TEST_CASE ("A front of one design says that more voltage buys nothing", "[tradeo
 {
     auto tradeoff = threePoints();
     tradeoff.points[0].isOnFront = false;
-    CHECK (tradeoffToText (tradeoff).find ("More voltage buys no less motion than 4 V and 8 ms (minimum_peak).")
+    CHECK (tradeoffToText (tradeoff).find ("More voltage buys no less motion than 4 V and 8 ms (least_voltage).")
            != std::string::npos);
 }
 

@@ -34,6 +34,21 @@ DesignRequest requestFor (int places, double width = 0.03)
     return request;
 }
 
+/** A train of so many foci that one design takes many seconds, and one step of its solver less than one. */
+DesignRequest slowRequest (int places)
+{
+    auto slow = requestFor (places);
+    slow.model = std::make_shared<const ModalModel> (test::sineBeam (24, ceramics));
+    slow.focus.modes.count = 24;
+    slow.focus.focusTime = 0.05;
+    slow.focus.targets.resize (24, slow.focus.targets.front());
+
+    for (std::size_t i = 0; i < slow.focus.targets.size(); ++i)
+        slow.focus.targets[i].time = slow.focus.focusTime + 0.003 * static_cast<double> (i);
+
+    return slow;
+}
+
 /** Plays one note from the start and returns the first ceramic's voltages. */
 Eigen::VectorXd firstChannel (FocusPlayer& player, int place, int length)
 {
@@ -79,15 +94,9 @@ TEST_CASE ("Rapid requests coalesce: the last one wins", "[graph]")
 
 TEST_CASE ("A design that takes long is given up for a newer request", "[graph]")
 {
-    auto slow = requestFor (1);
-    slow.model = std::make_shared<const ModalModel> (test::sineBeam (24, ceramics));
-    slow.focus.modes.count = 24; // Takes many seconds, and one step of its solver less than one.
-    slow.focus.allocation.method = AllocationMethod::dictionary;
-    slow.playback.sampleRate = 768000;
-    slow.focus.focusTime = 0.05;
     BankHandOver handOver;
     DesignWorker worker (handOver);
-    worker.request (slow);
+    worker.request (slowRequest (1));
     std::this_thread::sleep_for (std::chrono::milliseconds (50));
     worker.request (requestFor (2));
     std::vector<std::int64_t> ends;
@@ -115,12 +124,7 @@ TEST_CASE ("What is given up leaves the bank before playing, and the next reques
     worker.request (requestFor (12));
     test::waitForBank (worker, 12);
     const auto before = firstChannel (player, 11, 2000);
-    auto slow = requestFor (12, 0.025);
-    slow.model = std::make_shared<const ModalModel> (test::sineBeam (24, ceramics));
-    slow.focus.modes.count = 24; // Takes many seconds, and one step of its solver less than one.
-    slow.focus.allocation.method = AllocationMethod::dictionary;
-    slow.playback.sampleRate = 768000;
-    worker.request (slow);
+    worker.request (slowRequest (12));
     std::this_thread::sleep_for (std::chrono::milliseconds (50));
     CHECK_FALSE (worker.progress().isDone());
     worker.abandon();
@@ -231,7 +235,8 @@ TEST_CASE ("A bank of free waveforms is designed and played, and each place has 
     FocusPlayer player (ceramics, rate, {});
     DesignWorker worker (player.handOver());
     auto request = requestFor (5);
-    request.focus.allocation.method = AllocationMethod::freeWaveform;
+    request.focus.allocation.method = AllocationMethod::leastVoltage;
+    request.focus.allocation.timesBound = upToLimits;
     worker.request (request);
     test::waitForBank (worker, 5);
     CHECK (worker.progress().failed == 0);
@@ -282,7 +287,8 @@ TEST_CASE ("Where a bank of samples would not fit into its memory its places say
     FocusPlayer player (ceramics, 768000, {});
     DesignWorker worker (player.handOver());
     auto request = requestFor (128);
-    request.focus.allocation.method = AllocationMethod::freeWaveform;
+    request.focus.allocation.method = AllocationMethod::leastVoltage;
+    request.focus.allocation.timesBound = upToLimits;
     request.focus.focusTime = 0.12;
     request.playback.sampleRate = 768000;
     worker.request (request);
@@ -302,7 +308,8 @@ TEST_CASE ("Where the places of touches would not fit beside the focus itself, a
     DesignWorker worker (handOver);
     auto request = requestFor (0);
     request.model = std::make_shared<const ModalModel> (test::sineBeam (2, 64));
-    request.focus.allocation.method = AllocationMethod::freeWaveform;
+    request.focus.allocation.method = AllocationMethod::leastVoltage;
+    request.focus.allocation.timesBound = upToLimits;
     request.focus.modes.count = 1;
     request.focus.focusTime = 0.35; // 64 ceramics of 4 bytes: 17 MB, 17 times
     request.playback.sampleRate = 192000;

@@ -46,12 +46,14 @@ TEST_CASE ("Parameters change what they name, and later foci follow the first", 
     CHECK (changed.modes.count == 12);
 }
 
-TEST_CASE ("Another method than a free waveform leaves off what is felt elsewhere, and the focus can be read again",
-           "[session]")
+TEST_CASE (
+    "Another method than samples up to the limit leaves off what is felt elsewhere, and the focus can be read again",
+    "[session]")
 {
     const auto surface = deviceExtent (test::deviceNamed ("glass-148x210").description);
     auto focus = test::focusNamed ("glass-two").description;
-    focus.allocation.method = AllocationMethod::freeWaveform;
+    focus.allocation.method = AllocationMethod::leastVoltage;
+    focus.allocation.timesBound = upToLimits;
     focus.felt.emplace();
     auto settings = settingsFromFocus (focus, surface, {});
     CHECK (withSettings (focus, settings, surface).felt);
@@ -59,4 +61,37 @@ TEST_CASE ("Another method than a free waveform leaves off what is felt elsewher
     const auto changed = withSettings (focus, settings, surface);
     CHECK_FALSE (changed.felt);
     CHECK_NOTHROW (readFocus (focusToJson (changed), "focus"));
+}
+
+TEST_CASE ("A method that a host keeps although it is no longer offered changes a focus as it did", "[session]")
+{
+    const auto surface = deviceExtent (test::deviceNamed ("staple").description);
+    auto focus = test::focusNamed ("demonstrator").description;
+    focus.allocation.robust = Robustness {};
+    auto settings = settingsFromFocus (focus, surface, {});
+    const auto by = [&] (const RetiredMethod& retired)
+    {
+        settings.method = retired.method;
+        settings.retired = &retired;
+        return withSettings (focus, settings, surface);
+    };
+
+    for (const auto& retired : retiredMethods)
+    {
+        const auto changed = by (retired);
+        CHECK (changed.allocation.retired == &retired);
+        CHECK (changed.allocation.isUpToLimits() == retired.isUpToLimits);
+        CHECK_FALSE (changed.allocation.robust); // None of them took it.
+        CHECK (settingsFromFocus (changed, surface, settings) == settings);
+    }
+
+    // What was felt elsewhere of a free waveform goes with another method, also with one that plays samples.
+    focus = by (retiredMethods.back());
+    focus.felt.emplace();
+    CHECK (withSettings (focus, settings, surface).felt);
+    settings.retired = nullptr;
+    const auto near = withSettings (focus, settings, surface);
+    CHECK (near.allocation.isNearBound());
+    CHECK_FALSE (near.felt);
+    CHECK (near.allocation.retired == nullptr);
 }

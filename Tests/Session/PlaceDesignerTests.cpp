@@ -27,7 +27,8 @@ DesignRequest requestOf (const std::shared_ptr<const ModalModel>& model)
     target.peakVelocity = 0.01;
     request.focus.focusTime = 0.02;
     request.focus.modes.count = 8;
-    request.focus.allocation.method = AllocationMethod::freeWaveform;
+    request.focus.allocation.method = AllocationMethod::leastVoltage;
+    request.focus.allocation.timesBound = upToLimits;
     request.playback = { Reconstruction::bandLimited, 96000 };
     request.widen = [] { return wideModel(); };
     return request;

@@ -51,17 +51,18 @@ TEST_CASE ("A parameter that moves makes a new design, by itself", "[session]")
 
 TEST_CASE ("Free waveforms are a method as any other: played as rendered, never beyond the limit", "[session][sampled]")
 {
-    const auto method = GENERATE (AllocationMethod::freeWaveform, AllocationMethod::leastVoltage);
+    const RetiredMethod* const retired = GENERATE (nullptr, &retiredMethods.back());
     test::PlayedSession played;
     played.change (
-        [method] (PlaySettings& settings)
+        [retired] (PlaySettings& settings)
         {
-            settings.method = method;
+            settings.method = AllocationMethod::leastVoltage;
+            settings.retired = retired;
             settings.voltageLimitVolts = 3;
         });
     played.prepare (rate);
     const auto now = played.session.snapshot();
-    REQUIRE (now->focus.allocation.method == method);
+    REQUIRE (now->focus.allocation.isUpToLimits() == (retired != nullptr));
     const auto wide =
         solveWide (test::deviceNamed ("staple").description, *now->model, frequencyBeyond (*now->model, rate), true);
     const auto design = designWithin (wide, now->focus, now->playback, DesignExtent::playable);

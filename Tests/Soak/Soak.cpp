@@ -137,7 +137,7 @@ DesignRequest makeRequest (const std::shared_ptr<const ModalModel>& model, unsig
         request.focus.transients.brake = 5;
 
     if (choice % 3 == 0)
-        request.focus.allocation.method = AllocationMethod::freeWaveform;
+        request.focus.allocation.method = AllocationMethod::leastVoltage;
 
     return request;
 }

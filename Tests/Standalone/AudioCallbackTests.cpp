@@ -164,7 +164,7 @@ TEST_CASE ("what an output cannot give limits the foci, so that no sample is cla
     auto device = nlohmann::json::parse (processor.device()->text);
     device["limits"] = { { "voltage_V", 10 }, { "full_scale_V", 3 } };
     auto focus = nlohmann::json::parse (processor.focus()->text);
-    focus["allocation"] = { { "method", "dictionary" } };
+    focus["allocation"] = { { "method", "least_voltage" } };
     focus["targets"][0]["peak_velocity_mm_s"] = 20;
     processor.load (std::make_shared<const DeviceDocument> (readDeviceDocument (device, "device")),
                     std::make_shared<const FocusDocument> (readFocusDocument (focus, "focus")));

@@ -71,7 +71,7 @@ inline const std::vector<GoodFile>& goodFiles()
               { "shape": "gaussian", "x_mm": 24, "width_mm": 18, "peak_velocity_mm_s": 20 } ],
             "focus_time_ms": 25, "modes": { "count": 6, "choose": "frequency" },
             "transients": { "drive": "paper", "growth": [10, 4], "cycles": [3, 5], "maximum_duration_ms": 20, "brake": 20, "brake_duration_ms": 30 },
-            "allocation": { "method": "minimum_peak", "voltage_limit_V": 50, "guard_modes": 10, "guard_weight": 30, "window_ms": 5 },
+            "allocation": { "method": "paper", "voltage_limit_V": 50, "guard_modes": 10, "guard_weight": 30, "window_ms": 5 },
             "edge_window": { "tukey": 0.1 }, "probes_mm": [[0, 0], [24, 1]] })",
           true },
         { "robust focus", R"({ "schema": "antinode.focus/1",

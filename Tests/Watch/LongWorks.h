@@ -2,7 +2,6 @@
 
 #include "Structure/PlateExamples.h"
 
-#include <antinode_documents/FocusFile.h>
 #include <antinode_documents/Inputs.h>
 #include <antinode_focus/DesignFocus.h>
 #include <antinode_structure/DeviceDescription.h>
@@ -20,11 +19,6 @@ struct LongWork
     std::string name;
     std::function<void()> run;
 };
-
-inline constexpr std::array allMethods { AllocationMethod::oneToOne,    AllocationMethod::minimumNorm,
-                                         AllocationMethod::paper,       AllocationMethod::exact,
-                                         AllocationMethod::minimumPeak, AllocationMethod::dictionary,
-                                         AllocationMethod::freeWaveform };
 
 /** A focus on each embedded device. */
 inline constexpr std::array<std::array<const char*, 2>, 5> embeddedCases { { { "staple", "demonstrator" },
@@ -62,10 +56,5 @@ inline FocusDescription largeFocus (AllocationMethod method)
     focus.allocation.method = method;
     focus.allocation.guardModes = 100;
     return focus;
-}
-
-inline std::string methodName (AllocationMethod method)
-{
-    return std::string (wordFor (allocationMethodWords, method));
 }
 } // namespace antinode::test

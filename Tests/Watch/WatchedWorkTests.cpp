@@ -60,12 +60,16 @@ LongWork designing (const std::string& name, const Model& model, const FocusDesc
 void addMethods (std::vector<LongWork>& works, const std::string& name, const Model& model, FocusDescription focus,
                  DesignExtent extent)
 {
-    for (const auto method : allMethods)
+    for (const auto& [word, method] : allocationMethodWords)
     {
         focus.allocation.method = method;
-        const auto isPlayed = method == AllocationMethod::freeWaveform ? DesignExtent::complete : extent;
-        works.push_back (designing (name + " " + methodName (method), model, focus, isPlayed));
+        const auto isPlayed = method == AllocationMethod::leastVoltage ? DesignExtent::complete : extent;
+        works.push_back (designing (name + " " + std::string (word), model, focus, isPlayed));
     }
+
+    focus.allocation.timesBound = upToLimits;
+    focus.allocation.method = AllocationMethod::leastVoltage;
+    works.push_back (designing (name + " up to the limits", model, focus, DesignExtent::complete));
 }
 
 std::vector<LongWork> worksOnEmbeddedDevices()
@@ -130,8 +134,7 @@ std::vector<LongWork> worksOnLargestPlate (const Model& model)
     addMethods (works, "largest plate", model, largeFocus (AllocationMethod::exact), DesignExtent::playable);
     works.push_back (
         designing ("largest plate with bound", model, largeFocus (AllocationMethod::paper), DesignExtent::complete));
-    const auto design =
-        designFocus (*model, largeFocus (AllocationMethod::minimumNorm), playback, DesignExtent::playable);
+    const auto design = designFocus (*model, largeFocus (AllocationMethod::paper), playback, DesignExtent::playable);
     works.push_back ({ "largest plate render", [=] { renderFocus (*model, design, {}); } });
     return works;
 }

@@ -260,7 +260,7 @@ void requireRoomInBank (const PlayableFocus& focus, std::size_t foci)
         throw InputError ("bank of foci", "needs " + std::to_string (std::llround (needed)) + " MiB for the samples of "
                                               + (foci == 1 ? "one place" : std::to_string (foci) + " places")
                                               + "; allowed: " + std::to_string (std::llround (allowed))
-                                              + " MiB; choose a shorter focus time, a lower sample rate, 'dictionary' "
-                                                "instead of 'free_waveform', or notes that play the focus alone");
+                                              + " MiB; choose a shorter focus time, a lower sample rate, 'exact' "
+                                                "instead of 'least_voltage', or notes that play the focus alone");
 }
 } // namespace antinode

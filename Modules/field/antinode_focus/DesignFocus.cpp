@@ -90,7 +90,7 @@ FocusDesign withProgram (FocusDesign design, const ModalModel& model, DesignExte
 {
     checkRate (model, design.controlledModes, design.playback);
 
-    if (methodTraits (design.description.allocation.method).waveforms == AllocatedWaveforms::samples)
+    if (design.description.allocation.method == AllocationMethod::leastVoltage)
         sampleProgram (design, model, extent);
     else
         allocateProgram (design, model);
@@ -107,12 +107,14 @@ double peakVoltage (const FocusDesign& design)
     return design.certificate.peakVoltage;
 }
 
-FocusDesign allocateFocus (const ModalModel& model, const FocusDescription& description, Playback playback,
+FocusDesign allocateFocus (const ModalModel& model, const FocusDescription& asked, Playback playback,
                            DesignExtent extent)
 {
     if (model.actuators() == 0)
         throw InputError ("device '" + model.name + "'", "has no ceramics; a focus needs at least one");
 
+    auto description = asked;
+    description.allocation = suitedTo (model, asked.allocation);
     requireComplexModesSuit (model, description);
     checkTargets (model, description.targets);
     const auto wanted = focusMoments (model, description, playback);
@@ -208,9 +210,6 @@ DriveList makeDrives (FocusDesign& design, const ModalModel& model)
              fasterDrives (model, design.controlledModes, description.focusTime, description.transients))
             drives.push_back (drive);
 
-    if (methodTraits (description.allocation.method).waveforms == AllocatedWaveforms::dictionary)
-        return dictionaryDrives (model, description, design.controlledModes, design.growth);
-
     return drives;
 }
 
@@ -218,7 +217,7 @@ DriveList makeDrives (FocusDesign& design, const ModalModel& model)
 bool mayTakeFurtherDrives (const FocusDescription& description, const AllocationCertificate& certificate)
 {
     const auto& choice = description.allocation;
-    return methodTraits (choice.method).takesFurtherDrives && ! choice.robust
+    return choice.method == AllocationMethod::exact && ! choice.robust
            && description.transients.drive == DriveKind::offsetFree
            && certificate.status == AllocationStatus::infeasible
            && minimumShareToTry * certificate.minimumPeakRatio < 1;
@@ -328,7 +327,7 @@ static void checkSlewsCanBeKept (const FocusDesign& design)
         throw InputError ("reconstruction", "holds samples, and this device has a slew or current limit, which no step "
                                             "keeps; allowed for free samples: 'band_limited'");
 
-    if (design.description.felt && design.description.allocation.method == AllocationMethod::freeWaveform)
+    if (design.description.felt && design.description.allocation.isUpToLimits())
         throw InputError ("focus: felt", "makes a waveform quieter without regard to the slew or current limit of this "
                                          "device; allowed: a device without one, or another method");
 }
@@ -362,7 +361,7 @@ void sampleProgram (FocusDesign& design, const ModalModel& model, DesignExtent e
     if (waveform.felt)
         sayWhatIsFelt (design, *waveform.felt);
 
-    if (description.allocation.method == AllocationMethod::leastVoltage)
+    if (description.allocation.isNearBound())
         sayHowNear (design, waveform.tolerantPeakRatio);
 }
 } // namespace antinode

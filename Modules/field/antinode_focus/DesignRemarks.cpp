@@ -36,6 +36,25 @@ std::string robustnessInWords (const Robustness& robustness)
            + " in participation (standard deviations).";
 }
 
+std::string methodInWords (const AllocationChoice& choice)
+{
+    switch (choice.method)
+    {
+        case AllocationMethod::exact:
+            return "exact terminal velocities of all controlled modes at the least norm within the voltage limit; "
+                   "other modes are guarded";
+        case AllocationMethod::leastVoltage:
+            return "exact terminal velocities of all controlled modes by freely chosen samples "
+                   + std::string (choice.isNearBound() ? "near the lowest voltage that any waveform needs"
+                                                       : "of least energy within the voltage limit")
+                   + "; other modes are guarded";
+        case AllocationMethod::paper:
+            break;
+    }
+
+    return "the paper's problem: least norm within the voltage limit, only each mode's own row";
+}
+
 void addChoices (FocusDesign& design, const ModalModel& model)
 {
     const auto& description = design.description;
@@ -62,12 +81,10 @@ void addChoices (FocusDesign& design, const ModalModel& model)
         design.choices.push_back (
             "The growth is chosen so that all modes rise together, by 4 e-folds before the focus.");
 
-    const auto& method = methodTraits (description.allocation.method);
-
-    if (hasDrives && description.transients.cycles.empty() && method.waveforms == AllocatedWaveforms::drives)
+    if (hasDrives && description.transients.cycles.empty())
         design.choices.push_back ("The number of cycles is the largest that fits before the focus.");
 
-    design.choices.push_back (std::string ("Allocation: ") + method.sentence + ".");
+    design.choices.push_back ("Allocation: " + methodInWords (description.allocation) + ".");
 
     if (description.allocation.robust)
         design.choices.push_back (robustnessInWords (*description.allocation.robust));
@@ -102,7 +119,7 @@ std::string excessInWords (const LimitUse& limit, const ModalModel& model)
            + ", but the " + limitName (limit.kind) + " is " + limitAmount (limit.kind, limit.allowed)
            + (isVoltage ? "; the limiter will clip it and change the field. "
                         : "; the amplifier will not follow, which changes the field. ")
-           + "Use the allocation 'exact' or 'paper', a lower velocity or a higher limit.";
+           + "Use a longer window, a lower velocity or a higher limit.";
 }
 
 void warnOfPeak (FocusDesign& design, const ModalModel& model)
@@ -112,28 +129,26 @@ void warnOfPeak (FocusDesign& design, const ModalModel& model)
 
     if (const auto& limit = *design.limit; limit.share() > 1 + 1e-6)
         design.warnings.push_back (excessInWords (limit, model));
-    else if (design.certificate.status == AllocationStatus::optimal
-             && ! methodTraits (design.description.allocation.method).asksForMinimumPeak)
+    else if (design.certificate.status == AllocationStatus::optimal && ! design.description.allocation.isNearBound())
         design.warnings.push_back ("The " + limitName (limit.kind)
                                    + " is reached: the voltages are spread over more ceramics than without it.");
 }
 
-/** Warns of described drives that the method ignores because it makes its own waveforms. */
+/** Warns of described drives where samples are played instead. */
 void warnOfUnusedDrives (FocusDesign& design)
 {
-    const auto& description = design.description;
-    const auto waveforms = methodTraits (description.allocation.method).waveforms;
+    const auto& transients = design.description.transients;
 
-    if (waveforms == AllocatedWaveforms::drives)
+    if (! design.program.samples)
         return;
 
     std::string unused;
 
-    if (! description.transients.cycles.empty())
+    if (! transients.cycles.empty())
         unused = "'cycles'";
-    else if (description.transients.drive == DriveKind::paper)
+    else if (transients.drive == DriveKind::paper)
         unused = "'drive'";
-    else if (waveforms == AllocatedWaveforms::samples && ! description.transients.growth.empty())
+    else if (! transients.growth.empty())
         unused = "'growth'";
 
     if (! unused.empty())
@@ -263,6 +278,10 @@ void addTransientRemark (FocusDesign& design, const ModalModel& model)
 void addRemarks (FocusDesign& design, const ModalModel& model)
 {
     addChoices (design, model);
+
+    if (const auto sentence = retirementInWords (design.description.allocation); ! sentence.empty())
+        design.warnings.push_back (sentence);
+
     design.warnings.insert (design.warnings.end(), model.warnings.begin(), model.warnings.end());
 
     warnOfCapture (design, model);

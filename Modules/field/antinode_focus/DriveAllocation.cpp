@@ -5,13 +5,11 @@
 #include "StateRows.h"
 
 #include <antinode_base/Watch.h>
-#include <antinode_numerics/DenseKernels.h>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
 namespace antinode
@@ -26,21 +24,6 @@ double firstStart (const DriveList& drives)
         first = std::min (first, drive.front().start);
 
     return first;
-}
-
-/** Each mode by the ceramic that moves it most. */
-Eigen::MatrixXd oneToOneAllocation (const Eigen::MatrixXd& participation, const Eigen::VectorXd& wanted)
-{
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero (participation.cols(), participation.rows());
-
-    for (Eigen::Index k = 0; k < participation.rows(); ++k)
-    {
-        Eigen::Index best = 0;
-        participation.row (k).cwiseAbs().maxCoeff (&best);
-        matrix (best, k) = wanted[k] / participation (k, best);
-    }
-
-    return matrix;
 }
 
 /** V/s; for ceramics without a limit what they can never reach. */
@@ -146,7 +129,7 @@ AllocationProblem allocationProblem (const DriveTask& task, const DriveList& dri
     problem.wanted = stackWanted (moments);
     problem.participation = model.participation (timesOver (modes, moments), Eigen::all);
 
-    if (! methodTraits (choice.method).hasExactRows)
+    if (choice.method == AllocationMethod::paper)
     {
         problem.rows = Eigen::MatrixXd::Identity (problem.wanted.size(), problem.wanted.size());
         return problem;
@@ -184,43 +167,6 @@ AllocationProblem allocationProblem (const DriveTask& task, const DriveList& dri
                                *choice.robust);
 
     return problem;
-}
-
-/** What a matrix without a certificate needs. */
-Allocation toAllocation (const AllocationProblem& problem, Eigen::MatrixXd matrix)
-{
-    Allocation allocation;
-    allocation.matrix = std::move (matrix);
-    Eigen::MatrixXd voltages = Eigen::MatrixXd::Zero (allocation.matrix.rows(), problem.waveforms.cols());
-    addProduct (voltages, 1, allocation.matrix, problem.waveforms);
-    allocation.certificate.objective = 0.5 * voltages.squaredNorm();
-    allocation.certificate.peakVoltage = voltages.cwiseAbs().maxCoeff();
-    allocation.certificate.peakRatio =
-        voltages.cwiseAbs().rowwise().maxCoeff().cwiseQuotient (problem.voltageLimits).maxCoeff();
-    return allocation;
-}
-
-Allocation allocate (const AllocationProblem& problem, AllocationMethod method, const DriveList& drives, DriveSpan span)
-{
-    switch (method)
-    {
-        case AllocationMethod::exact:
-        case AllocationMethod::paper:
-            return solveAllocation (problem, AllocationGoal::norm);
-        case AllocationMethod::minimumPeak:
-            return solveAllocation (problem, AllocationGoal::peak);
-        case AllocationMethod::dictionary:
-            return allocateDictionary (problem, drives, span);
-        case AllocationMethod::oneToOne:
-            return toAllocation (problem, oneToOneAllocation (problem.participation, problem.wanted));
-        case AllocationMethod::minimumNorm:
-            return toAllocation (problem, minimumNormAllocation (problem));
-        case AllocationMethod::freeWaveform:
-        case AllocationMethod::leastVoltage:
-            break; // Has no drives.
-    }
-
-    throw std::logic_error ("an allocation of samples is not one of drives");
 }
 } // namespace
 
@@ -278,7 +224,7 @@ Allocation allocateDrives (const DriveTask& task, const DriveList& drives)
     const auto start = firstStart (drives);
     const auto first = choice.window ? std::max (moments.front().time - *choice.window, start) : start;
     const DriveSpan span { first, moments.back().time + releaseDuration() };
-    return allocate (allocationProblem (task, drives, span), choice.method, drives, span);
+    return solveAllocation (allocationProblem (task, drives, span), AllocationGoal::norm);
 }
 
 /** A drive's oscillations share its column of the matrix. */
@@ -361,9 +307,9 @@ Oscillation differentiated (Oscillation oscillation)
 }
 } // namespace
 
-double gridLimitMargin (int samplesPerCycle)
+double gridLimitMargin()
 {
-    return std::cos (std::numbers::pi / samplesPerCycle);
+    return std::cos (std::numbers::pi / gridSamplesPerCycle);
 }
 
 Eigen::MatrixXd sampleSlopes (const std::vector<std::vector<Oscillation>>& drives, double first, double last,

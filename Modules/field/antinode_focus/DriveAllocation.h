@@ -64,9 +64,9 @@ VoltageProgram makeProgram (const DriveList&, const Eigen::MatrixXd& matrix, con
    oscillation is says the modulus of its exponent: a release bends by its decay as well as by its frequency. */
 constexpr int gridSamplesPerCycle = 32;
 
-/** The factor of the grid's limit that makes the limit hold between its samples too: cos (pi / 32) = 0.9952 at 32 per
-   cycle. [any] Docs/Theory.md, section 4.6. */
-double gridLimitMargin (int samplesPerCycle = gridSamplesPerCycle);
+/** The factor of the grid's limit that makes the limit hold between its samples too: cos (pi / 32) = 0.9952.
+    [any] Docs/Theory.md, section 4.6. */
+double gridLimitMargin();
 
 /** Drives sampled from `first` to `last` inclusive, fine enough for gridLimitMargin.
     @param drives  the oscillations of each drive

@@ -1,21 +1,50 @@
 #include "FocusDescription.h"
 
-#include <antinode_base/MessageText.h>
+#include <antinode_model/ModalModel.h>
 
-#include <vector>
+#include <utility>
 
 namespace antinode
 {
-std::string methodsThat (bool AllocationTraits::*has, std::string_view joint)
+namespace
 {
-    std::vector<std::string_view> words;
+AllocationChoice withExactRows (AllocationChoice choice)
+{
+    choice.method = AllocationMethod::exact;
+    choice.timesBound.reset();
+    return choice;
+}
+} // namespace
 
-    for (const auto& each : allocationMethods)
-        if (each.*has)
-            words.emplace_back (each.word);
+AllocationChoice withRetired (AllocationChoice choice, const RetiredMethod& retired)
+{
+    choice.retired = &retired;
+    choice.method = retired.method;
+    choice.timesBound.reset();
 
-    const auto last = inQuotes (words.back());
-    words.pop_back();
-    return words.empty() ? last : listed (words) + " " + std::string (joint) + " " + last;
+    if (retired.isUpToLimits)
+        choice.timesBound = upToLimits;
+
+    return choice.isUndisplaced ? withExactRows (std::move (choice)) : choice;
+}
+
+AllocationChoice suitedTo (const ModalModel& model, AllocationChoice choice)
+{
+    const auto needsRealModes = choice.method == AllocationMethod::leastVoltage;
+    return model.hasComplexModes() && choice.retired != nullptr && needsRealModes ? withExactRows (std::move (choice))
+                                                                                  : choice;
+}
+
+std::string retirementInWords (const AllocationChoice& choice)
+{
+    if (choice.retired == nullptr)
+        return {};
+
+    const auto& retired = *choice.retired;
+    const auto isReplaced = choice.method != retired.method;
+    const auto used = "'" + std::string (wordFor (allocationMethodWords, choice.method)) + "'";
+    const auto key = retired.isUpToLimits && ! isReplaced ? " with 'times_bound' at 'limit'" : "";
+    return "The allocation method '" + std::string (retired.word) + "' is no longer offered: " + used + key
+           + " is used, which " + (isReplaced ? outcomeOfExact : retired.outcome) + "; write " + used + key + ".";
 }
 } // namespace antinode

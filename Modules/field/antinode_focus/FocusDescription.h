@@ -2,12 +2,12 @@
 
 #include "Detuning.h"
 
+#include <antinode_base/Reflection.h>
 #include <antinode_fingers/Finger.h>
 #include <antinode_fingers/Sensation.h>
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,106 +16,65 @@
 
 namespace antinode
 {
-/** How ceramics share what is played. */
+struct AllocationChoice;
+struct ModalModel;
+
+/** How ceramics share what is played. Docs/Theory.md, section 4.7. */
 enum class AllocationMethod
 {
-    oneToOne,     ///< Each mode by the one ceramic that excites it most.
-    minimumNorm,  ///< Rows (29), least norm, no limit: closed form.
-    paper,        ///< Rows (29) within the voltage limit: the paper's problem.
-    exact,        ///< Exact terminal rows within the voltage limit, soft guard modes: the default.
-    minimumPeak,  ///< Exact terminal rows at the least peak voltage.
-    dictionary,   ///< The same with several drives per mode: near the least voltage of any waveform.
-    freeWaveform, ///< Samples of any form, of the least energy within the voltage limit.
-    leastVoltage  ///< The same within a limit as near as asked to the least voltage of any waveform.
+    exact,        ///< Exact terminal rows within the limits, soft guard modes: the default.
+    leastVoltage, ///< Samples of any form, near the lowest voltage of any, or of the least energy within the limits.
+    paper         ///< Rows (29) within the limits: the paper's problem.
 };
 
-/** What a method mixes. */
-enum class AllocatedWaveforms
-{
-    drives,     ///< The drives that the focus describes.
-    dictionary, ///< Drives of its own, with several growth rates and both quadratures per mode.
-    samples     ///< Samples of its own.
-};
+/** The words of files, messages and tables. */
+inline constexpr WordList<AllocationMethod, 3> allocationMethodWords { { { "exact", AllocationMethod::exact },
+                                                                         { "least_voltage",
+                                                                           AllocationMethod::leastVoltage },
+                                                                         { "paper", AllocationMethod::paper } } };
 
-/** What the rest of the program knows of a method. */
-struct AllocationTraits
+/** Multiples of the lower bound that only the limits end. */
+inline constexpr double upToLimits = std::numeric_limits<double>::infinity();
+
+/** A method that is no longer offered, and what is used where a document or a host asks for it. */
+struct RetiredMethod
 {
+    std::string_view word;
     AllocationMethod method;
-    const char* word;     ///< In files.
-    const char* sentence; ///< For the choices of a design, without a full stop.
-    AllocatedWaveforms waveforms = AllocatedWaveforms::drives;
-    bool hasExactRows = false;       ///< Asks for the very velocities at the focus, by rows of drives in any number.
-    bool asksForMinimumPeak = false; ///< Whatever the limit.
-    bool takesTrains = false;        ///< Targets with several times.
-    bool takesRobustness = false;    ///< A design that is robust against errors of the model.
-    bool takesFurtherDrives = false; ///< Where one drive per mode cannot meet the limit.
+    bool isUpToLimits = false; ///< By least voltage: as AllocationChoice::timesBound says with upToLimits.
+    const char* outcome;       ///< What that gives, for its sentence.
 };
 
-/** All methods: files, messages and parameters have their words from here. In the order of the plug-in's parameter, of
-    which hosts keep the index: a further one comes last. */
-inline constexpr std::array allocationMethods {
-    AllocationTraits { .method = AllocationMethod::exact,
-                       .word = "exact",
-                       .sentence =
-                           "exact terminal velocities of all controlled modes at the least norm within the voltage "
-                           "limit; other modes are guarded",
-                       .hasExactRows = true,
-                       .takesTrains = true,
-                       .takesRobustness = true,
-                       .takesFurtherDrives = true },
-    AllocationTraits { .method = AllocationMethod::paper,
-                       .word = "paper",
-                       .sentence =
-                           "the paper's problem: least norm within the voltage limit, only each mode's own row" },
-    AllocationTraits { .method = AllocationMethod::oneToOne,
-                       .word = "one_to_one",
-                       .sentence =
-                           "one ceramic per mode, the one that excites it most; ignores other modes and the limit" },
-    AllocationTraits { .method = AllocationMethod::minimumNorm,
-                       .word = "minimum_norm",
-                       .sentence = "least norm of all voltages, only each mode's own row, without a limit" },
-    AllocationTraits { .method = AllocationMethod::minimumPeak,
-                       .word = "minimum_peak",
-                       .sentence =
-                           "exact terminal velocities of all controlled modes at the least peak voltage; other modes "
-                           "are guarded",
-                       .hasExactRows = true,
-                       .asksForMinimumPeak = true,
-                       .takesTrains = true },
-    AllocationTraits { .method = AllocationMethod::dictionary,
-                       .word = "dictionary",
-                       .sentence =
-                           "exact terminal velocities of all controlled modes at the least peak voltage, with several "
-                           "growth rates and both quadratures per mode; other modes are guarded",
-                       .waveforms = AllocatedWaveforms::dictionary,
-                       .hasExactRows = true,
-                       .asksForMinimumPeak = true },
-    AllocationTraits { .method = AllocationMethod::freeWaveform,
-                       .word = "free_waveform",
-                       .sentence =
-                           "exact terminal velocities of all controlled modes by freely chosen samples of least energy "
-                           "within the voltage limit; other modes are guarded",
-                       .waveforms = AllocatedWaveforms::samples },
-    AllocationTraits { .method = AllocationMethod::leastVoltage,
-                       .word = "least_voltage",
-                       .sentence =
-                           "exact terminal velocities of all controlled modes by freely chosen samples near the lowest "
-                           "voltage that any waveform needs; other modes are guarded",
-                       .waveforms = AllocatedWaveforms::samples,
-                       .asksForMinimumPeak = true,
-                       .takesRobustness = true }
+/** What exact rows give instead of another method of exact rows. */
+inline constexpr auto outcomeOfExact = "gives the same velocities at the focus, with more voltage within the limit";
+
+/** In the order of the plug-in's parameter, of which hosts keep the index. */
+inline constexpr std::array retiredMethods {
+    RetiredMethod { .word = "one_to_one",
+                    .method = AllocationMethod::paper,
+                    .outcome = "shares each mode among all ceramics and keeps the voltage limit" },
+    RetiredMethod { .word = "minimum_norm",
+                    .method = AllocationMethod::paper,
+                    .outcome = "gives the same voltages where they keep the limit" },
+    RetiredMethod { .word = "minimum_peak", .method = AllocationMethod::exact, .outcome = outcomeOfExact },
+    RetiredMethod { .word = "dictionary",
+                    .method = AllocationMethod::leastVoltage,
+                    .outcome = "gives the same velocities at the focus, at about the same voltage" },
+    RetiredMethod { .word = "free_waveform",
+                    .method = AllocationMethod::leastVoltage,
+                    .isUpToLimits = true,
+                    .outcome = "gives the same voltages" }
 };
 
-/** The row of a method. [any] */
-constexpr const AllocationTraits& methodTraits (AllocationMethod method)
-{
-    return *std::find_if (allocationMethods.begin(), allocationMethods.end(),
-                          [method] (const auto& each) { return each.method == method; });
-}
+/** A choice with what is used instead of a method: exact rows where displacements are to be 0. [any] */
+AllocationChoice withRetired (AllocationChoice, const RetiredMethod&);
 
-/** The words of the methods that have a property, for messages: 'exact', 'minimum_peak' or 'dictionary'.
-    @param joint  before the last: "or", "and" [any] */
-std::string methodsThat (bool AllocationTraits::*has, std::string_view joint);
+/** What is used instead of a method on a model: exact rows where modes are complex, since samples need real ones. Other
+    choices stay as they are. [any] */
+AllocationChoice suitedTo (const ModalModel&, AllocationChoice);
+
+/** What is used instead of the method that was asked for, and what to write; empty where it is offered. [any] */
+std::string retirementInWords (const AllocationChoice&);
 
 /** Where less is to be felt than at the targets. */
 enum class FeltAt
@@ -223,9 +182,20 @@ struct AllocationChoice
         window; ///< s before the focus time in which the norm is taken and the limit is imposed; none: all.
     bool isUndisplaced =
         false; ///< At the focus the controlled modes are to be undisplaced as well; with exact rows, not robust.
-    std::optional<Robustness> robust;      ///< With exact or least voltage only: what the design is robust against.
-    std::optional<double> timesBound = {}; ///< With least voltage only: the peak in multiples of what any waveform
-                                           ///< needs, above 1; none: usualTimesBound.
+    std::optional<Robustness> robust;       ///< With exact or near the bound only: what the design is robust against.
+    std::optional<double> timesBound = {};  ///< With least voltage only: the peak in multiples of what any waveform
+                                            ///< needs, above 1, or upToLimits: the least energy within the limits;
+                                            ///< none: usualTimesBound.
+    const RetiredMethod* retired = nullptr; ///< The method that was asked for, where it is no longer offered.
+
+    /** Whether the peak is to be near the lowest of any waveform, not only within the limits. */
+    bool isNearBound() const
+    {
+        return method == AllocationMethod::leastVoltage && timesBound.value_or (usualTimesBound) < upToLimits;
+    }
+
+    /** Whether the waveform is that of the least energy of any within the limits. */
+    bool isUpToLimits() const { return method == AllocationMethod::leastVoltage && ! isNearBound(); }
 };
 
 /** A wanted focus: position, shape, velocity, time and method. Docs/FileFormats.md. */
@@ -240,6 +210,6 @@ struct FocusDescription
     std::optional<double> edgeWindow;              ///< Tukey taper as a fraction of the surface's length, 0 to 1.
     std::vector<std::pair<double, double>> probes; ///< x, y, m.
     std::vector<Finger> fingers;                   ///< That rest on the surface.
-    std::optional<FeltChoice> felt;                ///< With free waveforms only: less is to be felt elsewhere.
+    std::optional<FeltChoice> felt; ///< With samples up to the limits only: less is to be felt elsewhere.
 };
 } // namespace antinode

@@ -36,15 +36,11 @@ std::string slewNeed (const ModalModel& model, const LimitUses& uses, double rat
                : need + ", and " + limitedCeramic (model, uses.voltage) + " " + minimumAmount (uses.voltage, ratio)
                      + " of its " + limitAmount (uses.voltage.kind, uses.voltage.allowed);
 }
-/** The allocation that reaches most within the limits, where it is another one. */
-std::string wayOut (const FocusDesign& design, const ModalModel& model)
+
+/** The allocation that reaches most within the limits, where the model allows it. */
+std::string wayOut (const ModalModel& model)
 {
-    const auto waveforms = methodTraits (design.description.allocation.method).waveforms;
-
-    if (! model.hasComplexModes() && waveforms != AllocatedWaveforms::samples)
-        return "; the allocation 'least_voltage' reaches as much as any waveform can";
-
-    return waveforms == AllocatedWaveforms::drives ? "; the allocation 'dictionary' may reach more" : "";
+    return model.hasComplexModes() ? "" : "; the allocation 'least_voltage' reaches as much as any waveform can";
 }
 } // namespace
 
@@ -58,11 +54,8 @@ LimitError::LimitError (const std::string& where, const std::string& wrong, doub
 void throwWhereBeyondLimit (const FocusDesign& design, const ModalModel& model)
 {
     const auto& certificate = design.certificate;
-    const auto& method = methodTraits (design.description.allocation.method);
-    const auto isBeyond =
-        certificate.status == AllocationStatus::infeasible || (method.asksForMinimumPeak && certificate.peakRatio > 1);
 
-    if (! isBeyond)
+    if (certificate.status != AllocationStatus::infeasible)
         return;
 
     const auto ratio = certificate.peakRatio;
@@ -74,7 +67,7 @@ void throwWhereBeyondLimit (const FocusDesign& design, const ModalModel& model)
                       "is " + limitAmount (limit.kind, limit.allowed) + ", too low for "
                           + velocityInWords (design.reachablePeakVelocity) + ": "
                           + (isSlew ? slewNeed (model, uses, ratio) : voltageNeed (limit, ratio))
-                          + "; this limit allows " + velocityInWords (reachable) + wayOut (design, model),
+                          + "; this limit allows " + velocityInWords (reachable) + wayOut (model),
                       design.program.voltageLimits.maxCoeff() * ratio, reachable);
 }
 } // namespace antinode

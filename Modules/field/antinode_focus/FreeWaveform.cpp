@@ -56,7 +56,7 @@ FreeWaveform freeWaveform (const ModalModel& model, const FocusDescription& desc
 
     FreeWaveform result { std::move (waveform.played), certificate, edgeTime, waveform.tolerantBound, {} };
 
-    if (description.felt && description.allocation.method == AllocationMethod::freeWaveform)
+    if (description.felt && description.allocation.isUpToLimits())
     {
         auto felt = modes;
         felt.insert (felt.end(), guards.begin(), guards.end());
@@ -201,7 +201,7 @@ PlayedProblem makeProblem (const WaveformTask& task, SampleRatio ratio, double e
     problem.focusTime = task.description.focusTime;
     problem.isRobust = task.description.allocation.robust.has_value();
 
-    if (task.isNearItsBound())
+    if (task.description.allocation.isNearBound())
         problem.hard.nearness = task.description.allocation.timesBound.value_or (usualTimesBound);
 
     const auto edge = edgeTime * task.playback.sampleRate;
@@ -257,8 +257,9 @@ void throwTooNear (const std::string& field, double limit, double minimumPeakRat
 
 SolvedWaveform solveWithEdges (const WaveformTask& task, double edgeTime)
 {
-    const auto ratios =
-        task.isNearItsBound() ? sparseRatios (task.playback, highestFrequency (task)) : std::vector<SampleRatio> { {} };
+    const auto ratios = task.description.allocation.isNearBound()
+                            ? sparseRatios (task.playback, highestFrequency (task))
+                            : std::vector<SampleRatio> { {} };
     SolvedWaveform solved;
 
     // What sparse samples cannot reach, denser ones may.

@@ -39,9 +39,9 @@ struct FreeWaveform
 };
 
 /** Every sample is free: from the beginning (the trigger, or where a window or the maximum duration says) up to the
-   last one that playback lets act before the focus. Rows are exact for the playback; guards are soft. By least voltage
-   the limits are lowered as near to the least voltage of any samples as the focus asks for, and at rates of 88.2 kHz
-   and more only some samples are free, where that is near enough (FreeSamples.h). Where a slew limit binds, a
+   last one that playback lets act before the focus. Rows are exact for the playback; guards are soft. Near the
+   bound the limits are lowered as near to the least voltage of any samples as the focus asks for, and at rates of 88.2
+   kHz and more only some samples are free, where that is near enough (FreeSamples.h). Where a slew limit binds, a
    low-pass makes edges slower, and single samples get lower limits.
     @param modes   the controlled modes, ascending
     @param wanted  their modal velocities at t_f, m/s kg^1/2
@@ -61,8 +61,6 @@ struct WaveformTask
     const Eigen::VectorXd& wanted;
     const Eigen::VectorXd& limits;
     Playback playback;
-
-    bool isNearItsBound() const { return description.allocation.method == AllocationMethod::leastVoltage; }
 };
 
 /** A waveform, and what it was solved from. */

@@ -94,9 +94,8 @@ FocusDesign weighedDesign (std::vector<FocusDesign> designs, const std::string& 
 bool leavesModesOpen (const FocusDescription& description)
 {
     const auto& modes = description.modes;
-    const auto& method = methodTraits (description.allocation.method);
     return ! modes.count && ! modes.captured && ! modes.maximumFrequency && modes.order == ModeOrder::energy
-           && method.hasExactRows && ! method.asksForMinimumPeak && ! description.allocation.robust;
+           && description.allocation.method == AllocationMethod::exact && ! description.allocation.robust;
 }
 
 FocusDescription withModesOf (FocusDescription description, const FocusDesign& design)

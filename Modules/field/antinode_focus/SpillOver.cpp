@@ -27,7 +27,6 @@ namespace
 constexpr double sameFrequency = 0.01;                            // Two solutions of one device agree far better.
 constexpr double worthwhileShare = 0.9;                           // Less is not gained for more guards.
 constexpr std::array triedGuards { 1.1, 1.25, 1.5, 2.0 };         // Times the known modes.
-constexpr std::array triedWhereSlow { 1.5 };                      // The same of drives of least peak.
 constexpr std::array triedOfSamples { 1.1, 1.25, 1.5, 2.0, 2.5 }; // Of samples, which reach up to half their rate.
 
 /** Values at the points of one grid taken to those of another, column by column. */
@@ -121,18 +120,17 @@ std::string shareInWords (double share)
 
 std::vector<double> guardsToTry (AllocationMethod method)
 {
-    const auto& traits = methodTraits (method);
+    switch (method)
+    {
+        case AllocationMethod::exact:
+            return { triedGuards.begin(), triedGuards.end() };
+        case AllocationMethod::leastVoltage:
+            return { triedOfSamples.begin(), triedOfSamples.end() };
+        case AllocationMethod::paper:
+            break; // It guards no modes.
+    }
 
-    if (traits.waveforms == AllocatedWaveforms::samples)
-        return { triedOfSamples.begin(), triedOfSamples.end() };
-
-    if (! traits.hasExactRows)
-        return {}; // It guards no modes.
-
-    if (traits.asksForMinimumPeak)
-        return { triedWhereSlow.begin(), triedWhereSlow.end() };
-
-    return { triedGuards.begin(), triedGuards.end() };
+    return {};
 }
 
 /** Guards so many modes beyond the known ones too. None where that cannot be done. */
@@ -180,9 +178,9 @@ void warnOfSpillOver (FocusDesign& design)
     if (! (design.spillOver->share > allowedSpillOver))
         return;
 
-    const auto method = design.description.allocation.method;
-    const auto guards = methodTraits (method).hasExactRows || design.program.samples.has_value();
-    const std::string room = method == AllocationMethod::leastVoltage ? "larger 'times_bound'" : "higher voltage limit";
+    const auto& choice = design.description.allocation;
+    const auto guards = choice.method != AllocationMethod::paper;
+    const std::string room = choice.isNearBound() ? "larger 'times_bound'" : "higher voltage limit";
     design.warnings.push_back (shareInWords (design.spillOver->share) + " of the field is in modes beyond the "
                                + std::to_string (design.spillOver->knownModes) + " of the device. "
                                + (guards ? "Its waveforms have kinks or steps that guards do not remove; a " + room

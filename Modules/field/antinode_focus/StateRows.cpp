@@ -185,8 +185,9 @@ void requireComplexModesSuit (const ModalModel& model, const FocusDescription& d
 {
     const auto& choice = description.allocation;
 
-    if (! methodTraits (choice.method).hasExactRows)
-        requireRealModes (model, "designs by the method '" + std::string (methodTraits (choice.method).word) + "'");
+    if (choice.method != AllocationMethod::exact)
+        requireRealModes (model, "designs by the method '"
+                                     + std::string (wordFor (allocationMethodWords, choice.method)) + "'");
 
     if (choice.robust)
         requireRealModes (model, "robust designs");

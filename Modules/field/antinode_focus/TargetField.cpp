@@ -176,10 +176,10 @@ double onSample (double time, double first, Playback playback)
 
 void checkMethod (AllocationMethod method, std::size_t times)
 {
-    if (times > 1 && ! methodTraits (method).takesTrains)
-        throw InputError ("focus: targets", "have " + std::to_string (times)
-                                                + " different times; allowed: one time, or the allocation method "
-                                                + methodsThat (&AllocationTraits::takesTrains, "or"));
+    if (times > 1 && method != AllocationMethod::exact)
+        throw InputError ("focus: targets",
+                          "have " + std::to_string (times)
+                              + " different times; allowed: one time, or the allocation method 'exact'");
 }
 
 void checkRobustness (const AllocationChoice& choice, std::size_t times)

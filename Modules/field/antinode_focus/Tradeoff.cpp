@@ -22,8 +22,6 @@ namespace
 constexpr auto usableError = 0.05;
 constexpr std::array triedFolds { 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0 };
 constexpr std::array limitMultiples { 1.02, 1.1, 1.3, 1.6, 2.0, 0.0 };
-constexpr std::array methods { AllocationMethod::minimumNorm, AllocationMethod::paper, AllocationMethod::exact,
-                               AllocationMethod::minimumPeak, AllocationMethod::dictionary };
 
 Eigen::VectorXd evaluateVoltages (const VoltageProgram& program, double time)
 {
@@ -46,6 +44,11 @@ FocusDescription describedFor (FocusDescription focus, const TradeoffPoint& poin
 {
     const auto time = std::min (focus.focusTime, focus.transients.maximumDuration.value_or (focus.focusTime));
     focus.allocation.method = point.method;
+    focus.allocation.timesBound.reset();
+
+    if (point.method == AllocationMethod::leastVoltage)
+        focus.allocation.timesBound = upToLimits;
+
     focus.allocation.voltageLimit = point.limitMultiple > 0 ? point.limitMultiple * lowerBound : noVoltageLimit;
     focus.transients.cycles.clear();
     focus.transients.growth.clear();
@@ -90,7 +93,7 @@ std::vector<TradeoffPoint> plannedPoints()
 {
     std::vector<TradeoffPoint> points;
 
-    for (const auto method : methods)
+    for (const auto method : { AllocationMethod::paper, AllocationMethod::exact })
         for (const auto folds : triedFolds)
         {
             TradeoffPoint point;
@@ -102,7 +105,7 @@ std::vector<TradeoffPoint> plannedPoints()
     for (const auto multiple : limitMultiples)
     {
         TradeoffPoint point;
-        point.method = AllocationMethod::freeWaveform;
+        point.method = AllocationMethod::leastVoltage;
         point.limitMultiple = multiple;
         points.push_back (point);
     }
@@ -112,10 +115,7 @@ std::vector<TradeoffPoint> plannedPoints()
 /** What a design by a method usually takes, in multiples of the quickest one. */
 double expectedCost (AllocationMethod method)
 {
-    if (method == AllocationMethod::dictionary)
-        return 20;
-
-    return method == AllocationMethod::minimumPeak || method == AllocationMethod::freeWaveform ? 5 : 1;
+    return method == AllocationMethod::leastVoltage ? 5 : 1;
 }
 
 /** Collects points from several threads and tells of them. */
@@ -178,7 +178,7 @@ Tradeoff sweepTradeoff (const ModalModel& device, const FocusDescription& focus,
     requireRealModes (device, "trade-off studies");
     const auto model = withoutVoltageLimits (device);
     TradeoffPoint first;
-    first.method = AllocationMethod::minimumNorm;
+    first.method = AllocationMethod::paper;
     const auto start = designFocus (model, describedFor (focus, first, {}, 0), playback);
     const Eigen::VectorXd decay = decayRates (model) (start.controlledModes);
     Tradeoff bounds;

@@ -45,8 +45,8 @@ struct Tradeoff
     double expectedShare = 0;          ///< Of the work that is done, 0 to 1, after what each method usually takes.
 };
 
-/** Designs a focus by minimum_norm, paper, exact, minimum_peak and dictionary with each growth, and by free_waveform
-   with each limit, all without the voltage limit, and looks at each in closed form. On all threads of the processor.
+/** Designs a focus by paper and exact with each growth, and by free waveforms with each limit, all without the voltage
+   limit, and looks at each in closed form. On all threads of the processor.
     @param playback  with a rate, for the free waveforms
     @param progress  called with all points so far after each design, from one thread at a time; may be empty. Who keeps
    them has them where the rest is cancelled.

@@ -162,19 +162,40 @@ Robustness readRobustness (const JsonValue& value)
     return robustness;
 }
 
-/** Whether displacements must be 0. */
-bool readDisplacement (const JsonValue& value, AllocationMethod method, bool isRobust)
+/** @param choice  with what decides what is used where the method is no longer offered */
+AllocationChoice readMethod (const JsonValue& value, AllocationChoice choice)
 {
-    const auto isZero = value.choice (WordList<bool, 2> { { { "free", false }, { "zero", true } } });
+    for (const auto& retired : retiredMethods)
+        if (value.isWord (retired.word))
+            return withRetired (std::move (choice), retired);
 
-    if (isZero && ! methodTraits (method).hasExactRows)
-        value.fail ("is 'zero' with a method without exact rows; allowed only with "
-                    + methodsThat (&AllocationTraits::hasExactRows, "and"));
+    choice.method = value.choice (allocationMethodWords);
+    return choice;
+}
 
-    if (isZero && isRobust)
-        value.fail ("is 'zero' together with 'robust'; allowed: one of the two");
+double readTimesBound (const JsonValue& value, const AllocationChoice& choice)
+{
+    if (choice.method != AllocationMethod::leastVoltage || choice.retired != nullptr)
+        value.fail ("is given with a method other than least_voltage; allowed only with least_voltage");
 
-    return isZero;
+    return value.isString() ? value.choice (timesBoundWords) : value.number (timesBound);
+}
+
+/** Rows and samples that other keys of the allocation ask for have to suit its method. */
+void checkMethod (const JsonObject& object, const AllocationChoice& choice)
+{
+    const auto isExact = choice.method == AllocationMethod::exact;
+
+    if (choice.isUndisplaced && ! isExact)
+        object.required ("displacement").fail ("is 'zero' with a method other than exact; allowed only with exact");
+
+    if (choice.isUndisplaced && choice.robust)
+        object.required ("displacement").fail ("is 'zero' together with 'robust'; allowed: one of the two");
+
+    if (choice.robust && ! isExact && ! choice.isNearBound())
+        object.required ("robust").fail (
+            "is given with a method other than exact or least_voltage, or up to the limit; "
+            "allowed only with exact, and with least_voltage near its bound");
 }
 
 AllocationChoice readAllocation (const JsonValue& value)
@@ -183,8 +204,11 @@ AllocationChoice readAllocation (const JsonValue& value)
                                         "displacement", "robust", "times_bound" });
     AllocationChoice allocation;
 
+    if (const auto displacement = object.optional ("displacement"))
+        allocation.isUndisplaced = displacement->choice (WordList<bool, 2> { { { "free", false }, { "zero", true } } });
+
     if (const auto method = object.optional ("method"))
-        allocation.method = method->choice (allocationMethodWords);
+        allocation = readMethod (*method, allocation);
 
     if (const auto guards = object.optional ("guard_modes"))
         allocation.guardModes = readGuardModes (*guards);
@@ -193,28 +217,13 @@ AllocationChoice readAllocation (const JsonValue& value)
     allocation.guardWeight = optionalNumber (object, "guard_weight", guardWeight).value_or (allocation.guardWeight);
     allocation.window = optionalMilliseconds (object, "window_ms");
 
-    if (const auto displacement = object.optional ("displacement"))
-        allocation.isUndisplaced =
-            readDisplacement (*displacement, allocation.method, object.optional ("robust").has_value());
+    if (const auto times = object.optional ("times_bound"))
+        allocation.timesBound = readTimesBound (*times, allocation);
 
     if (const auto robust = object.optional ("robust"))
-    {
-        const auto allowed = methodsThat (&AllocationTraits::takesRobustness, "or");
-
-        if (! methodTraits (allocation.method).takesRobustness)
-            robust->fail ("is given with a method other than " + allowed + "; allowed only with " + allowed);
-
         allocation.robust = readRobustness (*robust);
-    }
 
-    if (const auto times = object.optional ("times_bound"))
-    {
-        if (allocation.method != AllocationMethod::leastVoltage)
-            times->fail ("is given with a method other than least_voltage; allowed only with least_voltage");
-
-        allocation.timesBound = times->number (timesBound);
-    }
-
+    checkMethod (object, allocation);
     return allocation;
 }
 
@@ -246,8 +255,9 @@ FeltChoice readFelt (const JsonValue& value, const FocusDescription& focus)
     const auto object = value.object ({ "at", "weight", "after_ms" });
     FeltChoice felt;
 
-    if (focus.allocation.method != AllocationMethod::freeWaveform)
-        value.fail ("is given with a method other than free_waveform; allowed only with free_waveform");
+    if (! focus.allocation.isUpToLimits())
+        value.fail ("is given without samples up to the limit; allowed only with \"method\": \"least_voltage\" and "
+                    "\"times_bound\": \"limit\"");
 
     if (focus.transients.brake || focus.transients.brakeDuration)
         value.fail ("is given together with a brake; allowed: one of the two");
@@ -398,7 +408,10 @@ Json allocationToJson (const AllocationChoice& allocation)
     if (allocation.robust)
         object["robust"] = robustnessToJson (*allocation.robust);
 
-    put (object, "times_bound", allocation.timesBound);
+    if (allocation.isUpToLimits())
+        object["times_bound"] = wordFor (timesBoundWords, upToLimits);
+    else
+        put (object, "times_bound", allocation.timesBound);
 
     return object;
 }

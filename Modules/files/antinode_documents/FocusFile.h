@@ -47,13 +47,8 @@ inline constexpr auto fingerKindWords = []
     return words;
 }();
 
-inline constexpr auto allocationMethodWords = []
-{
-    WordList<AllocationMethod, allocationMethods.size()> words;
-    std::transform (allocationMethods.begin(), allocationMethods.end(), words.begin(),
-                    [] (const auto& each) { return std::pair (std::string_view (each.word), each.method); });
-    return words;
-}();
+/** The multiple of the bound that is a word. */
+inline constexpr WordList<double, 1> timesBoundWords { { { "limit", upToLimits } } };
 
 inline constexpr WordList<AllocationStatus, 3> allocationStatusWords {
     { { "unconstrained", AllocationStatus::unconstrained },

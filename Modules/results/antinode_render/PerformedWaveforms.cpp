@@ -382,7 +382,8 @@ FocusDescription describedFocus (const PerformedWaveforms& performed)
     focus.focusTime = time - design.voltages.firstTime;
     focus.targets.push_back (
         { TargetShape::bump, at.x, at.y, spotWidth, std::abs (fastest.velocity), fastest.velocity < 0 ? -1 : 1 });
-    focus.allocation.method = AllocationMethod::freeWaveform;
+    focus.allocation.method = AllocationMethod::leastVoltage;
+    focus.allocation.timesBound = upToLimits;
 
     for (const auto& point : touchedPoints (waveforms))
     {

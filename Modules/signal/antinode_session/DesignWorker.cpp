@@ -50,9 +50,7 @@ void PlaceDesigner::begin (const DesignRequest& request)
 
 FocusDesign PlaceDesigner::design (const DesignRequest& request, const FocusDescription& focus)
 {
-    const auto isSampled = methodTraits (focus.allocation.method).waveforms == AllocatedWaveforms::samples;
-
-    if (isSampled && request.widen)
+    if (focus.allocation.method == AllocationMethod::leastVoltage && request.widen)
         return designSamples (request, focus);
 
     return designFocus (*request.model, focus, request.playback, DesignExtent::playable);

@@ -103,7 +103,8 @@ PlaySettings settingsFromFocus (const FocusDescription& focus, const Surface& su
     settings.focusTimeMilliseconds = static_cast<float> (focus.focusTime / thousandth);
     settings.growth = -1;
     settings.brake = 0;
-    settings.method = focus.allocation.method;
+    settings.retired = focus.allocation.retired;
+    settings.method = settings.retired != nullptr ? settings.retired->method : focus.allocation.method;
     settings.voltageLimitVolts = 0;
     settings.modeCount = 0;
 
@@ -117,21 +118,28 @@ PlaySettings settingsFromFocus (const FocusDescription& focus, const Surface& su
     return settings;
 }
 
-FocusDescription withMethod (FocusDescription focus, AllocationMethod method)
+FocusDescription withMethod (FocusDescription focus, AllocationMethod method, const RetiredMethod* retired)
 {
-    const auto& traits = methodTraits (method);
-    focus.allocation.method = method;
+    auto& choice = focus.allocation;
 
-    if (! traits.takesRobustness)
-        focus.allocation.robust.reset();
+    if (choice.retired == retired && (retired != nullptr || choice.method == method))
+        return focus;
 
-    if (method != AllocationMethod::leastVoltage)
-        focus.allocation.timesBound.reset();
+    choice.retired = nullptr;
+    choice.method = method;
+    choice.timesBound.reset();
 
-    if (method != AllocationMethod::freeWaveform)
+    if (retired != nullptr)
+        choice = withRetired (choice, *retired);
+
+    // Robust designs were never asked for by the methods that are no longer offered.
+    if (retired != nullptr || method == AllocationMethod::paper)
+        choice.robust.reset();
+
+    if (! choice.isUpToLimits())
         focus.felt.reset();
 
-    focus.allocation.isUndisplaced = focus.allocation.isUndisplaced && traits.hasExactRows;
+    choice.isUndisplaced = choice.isUndisplaced && choice.method == AllocationMethod::exact;
     return focus;
 }
 
@@ -140,7 +148,7 @@ FocusDescription withSettings (const FocusDescription& document, const PlaySetti
     auto focus = document;
     const auto loaded = settingsFromFocus (document, surface, settings);
     applyTarget (focus, settings, loaded, surface);
-    focus = withMethod (std::move (focus), settings.method);
+    focus = withMethod (std::move (focus), settings.method, settings.retired);
 
     if (! isSame (settings.focusTimeMilliseconds, loaded.focusTimeMilliseconds))
         moveInTime (focus, static_cast<double> (settings.focusTimeMilliseconds) * thousandth);

@@ -29,8 +29,9 @@ struct PlaySettings
     float growth = -1; ///< Below 0: as the focus says, or chosen.
     float brake = 0;   ///< 1 or below: as the focus says, or none.
     AllocationMethod method = AllocationMethod::exact;
-    float voltageLimitVolts = 0; ///< 0: as the focus says, or the device's.
-    int modeCount = 0;           ///< 0: as the focus says, or chosen.
+    const RetiredMethod* retired = nullptr; ///< As AllocationChoice::retired; the method is then what is used instead.
+    float voltageLimitVolts = 0;            ///< 0: as the focus says, or the device's.
+    int modeCount = 0;                      ///< 0: as the focus says, or chosen.
     float probeXPercent = 50, probeYPercent = 50;
     NoteLayout noteLayout = NoteLayout::spread;
     bool focusOnNote = false; ///< Of which the host knows the latency; what plays has it in its controls.
@@ -41,8 +42,9 @@ struct PlaySettings
 /** The parameters of a loaded focus. [any] */
 PlaySettings settingsFromFocus (const FocusDescription&, const Surface&, const PlaySettings& present);
 
-/** A focus by another method: what that one does not take is left out. [any] */
-FocusDescription withMethod (FocusDescription, AllocationMethod);
+/** A focus by another method: what that one does not take is left out.
+    @param retired  as PlaySettings has it [any] */
+FocusDescription withMethod (FocusDescription, AllocationMethod, const RetiredMethod* retired = nullptr);
 
 /** A loaded focus as the parameters have changed it. What a parameter says as the focus does is taken from the focus,
    to the bit: so the same focus gives the same voltages in a host and on the command line.

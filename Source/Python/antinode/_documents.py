@@ -203,7 +203,7 @@ def focus(
         peak_velocity_mm_s: its velocity, mm/s.
         shape: 'sinc', 'bump' or 'gaussian'.
         focus_time_ms: from the trigger to the focus, ms.
-        method: of the allocation: 'exact', 'minimum_peak', 'dictionary', 'least_voltage', ...
+        method: of the allocation: 'exact', 'least_voltage' or 'paper'.
         voltage_limit_V: for every ceramic, V; never more than the device allows.
         brake_duration_ms: all modes are at rest this long after the focus, ms.
         changes: values of other keys below the first level, ``{"targets.1.x_mm": 60, "transients.cycles": 20}``.
