@@ -236,13 +236,20 @@ std::string eventInWords (const WaveformsDescription& description, std::size_t t
 
 void requireInBand (const TrackSignal& signal, TrackBand band, const std::string& where)
 {
+    const auto require = [&] (double frequency)
+    {
+        if (! (frequency >= band.lower && frequency <= band.upper))
+            throw InputError (where + " frequency", "is " + inWords (frequency) + " Hz; allowed: the band, "
+                                                        + inWords (band.lower) + " to " + inWords (band.upper) + " Hz");
+    };
     const auto check = [&] (const auto& each)
     {
         if constexpr (requires { each.frequency; })
-            if (! (each.frequency >= band.lower && each.frequency <= band.upper))
-                throw InputError (where + " frequency", "is " + inWords (each.frequency) + " Hz; allowed: the band, "
-                                                            + inWords (band.lower) + " to " + inWords (band.upper)
-                                                            + " Hz");
+            require (each.frequency);
+
+        if constexpr (requires { each.points; })
+            for (const auto& point : each.points)
+                require (point.frequency);
     };
     std::visit (check, signal);
 }

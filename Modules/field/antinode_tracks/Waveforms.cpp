@@ -22,7 +22,7 @@ namespace
 constexpr auto pi = std::numbers::pi;
 constexpr double clickReach = 4;   // pi f t at the ends of a click: there it has fallen to 1e-6
 constexpr double gaborReach = 2.2; // widths from the middle of a Gabor burst to its ends: the same
-constexpr double edgeFade = 0.005; // s at both ends of a recording
+constexpr double edgeFade = 0.005; // s at both ends of a recording or a vibration
 constexpr double lowSlope = 0.8;   // of the lower frequency: where its slope begins
 constexpr double highSlope = 1.15; // of the upper frequency: where its slope ends
 
@@ -61,6 +61,11 @@ double durationOf (const NoiseSignal& noise)
 double durationOf (const SampledSignal& sampled)
 {
     return static_cast<double> (sampled.samples.size() - 1) / sampled.sampleRate;
+}
+
+double durationOf (const VibrationSignal& vibration)
+{
+    return 2 * edgeFade + vibration.points.back().time;
 }
 
 double valueAt (const ClickSignal& click, double time)
@@ -136,6 +141,17 @@ Eigen::VectorXd withinBand (const Eigen::VectorXd& samples, TrackBand band, doub
     return inverseFourier (spectrum, length).head (samples.size());
 }
 
+/** What is in the band, with faded ends. */
+Eigen::VectorXd fadedInBand (Eigen::VectorXd samples, TrackBand band, double sampleRate, double duration)
+{
+    samples = withinBand (samples, band, sampleRate);
+
+    for (Eigen::Index n = 0; n < samples.size(); ++n)
+        samples[n] *= envelope (static_cast<double> (n) / sampleRate, duration, edgeFade);
+
+    return samples;
+}
+
 /** At another rate: the interpolation reaches so far that nothing above either Nyquist frequency is left. */
 Eigen::VectorXd sampled (const SampledSignal& signal, TrackBand band, double sampleRate, Eigen::VectorXd samples)
 {
@@ -152,12 +168,34 @@ Eigen::VectorXd sampled (const SampledSignal& signal, TrackBand band, double sam
             samples[n] += signal.samples[m] * kaiserSinc ((centre - static_cast<double> (m)) / width) / width;
     }
 
-    samples = withinBand (samples, band, sampleRate);
+    return fadedInBand (std::move (samples), band, sampleRate, durationOf (signal));
+}
 
-    for (Eigen::Index n = 0; n < samples.size(); ++n)
-        samples[n] *= envelope (static_cast<double> (n) / sampleRate, durationOf (signal), edgeFade);
+Eigen::VectorXd sampled (const VibrationSignal& signal, TrackBand band, double sampleRate, Eigen::VectorXd samples)
+{
+    const auto& points = signal.points;
+    std::size_t next = 1;
+    double turns = 0; // at the point before the next one
 
-    return samples;
+    for (auto n = static_cast<Eigen::Index> (std::ceil (edgeFade * sampleRate)); n < samples.size(); ++n)
+    {
+        const auto time = static_cast<double> (n) / sampleRate - edgeFade;
+
+        for (; next < points.size() && time > points[next].time; ++next)
+            turns +=
+                (points[next].time - points[next - 1].time) * (points[next].frequency + points[next - 1].frequency) / 2;
+
+        if (next == points.size())
+            break;
+
+        const auto &from = points[next - 1], &to = points[next];
+        const auto share = (time - from.time) / (to.time - from.time);
+        const auto frequency = std::lerp (from.frequency, to.frequency, share / 2); // its mean since the point
+        samples[n] = std::lerp (from.amplitude, to.amplitude, share)
+                     * std::sin (2 * pi * (turns + (time - from.time) * frequency));
+    }
+
+    return fadedInBand (std::move (samples), band, sampleRate, durationOf (signal));
 }
 } // namespace
 

@@ -58,7 +58,22 @@ struct SampledSignal
     Eigen::VectorXd samples; ///< Any unit.
 };
 
-using TrackSignal = std::variant<ClickSignal, GaborSignal, ToneSignal, NoiseSignal, SampledSignal>;
+/** A moment of a vibration. */
+struct VibrationPoint
+{
+    double time = 0;      ///< s after the first point.
+    double amplitude = 0; ///< Any unit.
+    double frequency = 0; ///< Hz
+};
+
+/** A tone whose amplitude and frequency follow straight lines. What lies outside the band is removed, which takes 5 ms
+    before the first point and after the last one. */
+struct VibrationSignal
+{
+    std::vector<VibrationPoint> points; ///< At least two, ascending in time, from 0 on.
+};
+
+using TrackSignal = std::variant<ClickSignal, GaborSignal, ToneSignal, NoiseSignal, SampledSignal, VibrationSignal>;
 
 /** How long a signal lasts, s. [any] */
 double signalDuration (const TrackSignal&);

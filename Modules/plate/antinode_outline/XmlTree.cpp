@@ -83,7 +83,7 @@ XmlNode readXml (std::string_view bytes, const std::string& source)
         throw InputError (source + ": line " + std::to_string (lineOf (xml.parser)),
                           xml.isTooDeep ? "has more than " + std::to_string (deepest) + " elements in each other"
                                         : "is not XML (" + std::string (XML_ErrorString (XML_GetErrorCode (xml.parser)))
-                                              + "); allowed: a whole SVG file");
+                                              + "); allowed: a whole XML file");
 
     return std::move (xml.root.children.front());
 }
