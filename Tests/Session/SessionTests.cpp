@@ -51,7 +51,7 @@ TEST_CASE ("A parameter that moves makes a new design, by itself", "[session]")
 
 TEST_CASE ("Free waveforms are a method as any other: played as rendered, never beyond the limit", "[session][sampled]")
 {
-    const RetiredMethod* const retired = GENERATE (nullptr, &retiredMethods.back());
+    const RetiredMethod* const retired = GENERATE (static_cast<const RetiredMethod*> (nullptr), &retiredMethods.back());
     test::PlayedSession played;
     played.change (
         [retired] (PlaySettings& settings)

@@ -2,8 +2,6 @@
 
 #include <antinode_model/ModalModel.h>
 
-#include <utility>
-
 namespace antinode
 {
 namespace
@@ -25,14 +23,13 @@ AllocationChoice withRetired (AllocationChoice choice, const RetiredMethod& reti
     if (retired.isUpToLimits)
         choice.timesBound = upToLimits;
 
-    return choice.isUndisplaced ? withExactRows (std::move (choice)) : choice;
+    return choice.isUndisplaced ? withExactRows (choice) : choice;
 }
 
 AllocationChoice suitedTo (const ModalModel& model, AllocationChoice choice)
 {
     const auto needsRealModes = choice.method == AllocationMethod::leastVoltage;
-    return model.hasComplexModes() && choice.retired != nullptr && needsRealModes ? withExactRows (std::move (choice))
-                                                                                  : choice;
+    return model.hasComplexModes() && choice.retired != nullptr && needsRealModes ? withExactRows (choice) : choice;
 }
 
 std::string retirementInWords (const AllocationChoice& choice)

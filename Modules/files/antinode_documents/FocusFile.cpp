@@ -167,7 +167,7 @@ AllocationChoice readMethod (const JsonValue& value, AllocationChoice choice)
 {
     for (const auto& retired : retiredMethods)
         if (value.isWord (retired.word))
-            return withRetired (std::move (choice), retired);
+            return withRetired (choice, retired);
 
     choice.method = value.choice (allocationMethodWords);
     return choice;
