@@ -157,6 +157,29 @@ TEST_CASE ("Waveforms get their recordings, and what is no waveforms stays", "[s
                == nlohmann::json::parse (text).dump());
 }
 
+TEST_CASE ("A plan over haptic content has it as events, and its recordings within events", "[sweep][tracks]")
+{
+    const TemporaryFolder folder;
+    writeWholeFile (folder.path() / "tap.ahap", R"({"Pattern": [{"Event": {"EventType": "HapticTransient"}}]})");
+    writeWholeFile (folder.path() / "voice.wav", encodeWave (Eigen::MatrixXd::Constant (1, 3, 0.25), 1, 8000));
+    const auto planned = [&] (const std::string& waveforms)
+    {
+        writeWholeFile (folder.path() / "plan.json", R"({"schema": "antinode.sweep/1", "device": "beam", "waveforms": )"
+                                                         + waveforms + R"(, "record": ["peak_voltage_V"],
+                                                         "set": {"waveforms.tracks.0.x_mm": 30, "waveforms.tracks.0.level_um": 0.01}})");
+        return loadSweep (folder.path() / "plan.json");
+    };
+    const auto tap = planned ("\"./tap.ahap\"");
+    CHECK (tap.document["waveforms"]["tracks"][0]["events"][0]["signal"]["kind"] == "vibration");
+    CaseEvaluator (tap, false).check();
+
+    const auto both = planned (R"({"schema": "antinode.waveforms/1", "tracks": [{"events": "tap.ahap"}, {"x_mm": 60,
+        "events": [{"signal": {"kind": "wav", "file": "voice.wav"}}]}]})");
+    CHECK (both.document["waveforms"]["tracks"][0]["events"].size() == 1);
+    CHECK (both.document["waveforms"]["tracks"][1]["events"][0]["signal"]["kind"] == "samples");
+    CHECK (both.document["waveforms"]["warnings"].size() == 1);
+}
+
 TEST_CASE ("Plans over waveforms that make no sense are refused with one sentence", "[sweep][tracks]")
 {
     const TemporaryFolder folder;

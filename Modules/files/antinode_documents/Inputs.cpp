@@ -4,6 +4,7 @@
 
 #include "DeviceFile.h"
 #include "FocusFile.h"
+#include "HapticContent.h"
 #include "SharedFields.h"
 #include "WaveformsFile.h"
 #include <antinode_base/InputError.h>
@@ -72,7 +73,7 @@ WaveformsDescription waveformsFromDocument (const nlohmann::json& document, cons
                                             const std::string& file)
 {
     const std::filesystem::path path (file);
-    auto waveforms = readWaveforms (document, source, path.parent_path());
+    auto waveforms = readWaveforms (withHapticFiles (document, path.parent_path()), source, path.parent_path());
 
     if (waveforms.name.empty())
         waveforms.name = path.stem().string();

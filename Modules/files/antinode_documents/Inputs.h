@@ -30,7 +30,8 @@ FocusDescription loadFocus (const std::string& nameOrFile, const std::vector<std
 FocusDescription focusFromDocument (const nlohmann::json&, const std::string& source, const std::string& fallbackName);
 
 /** Waveforms at touched points by embedded name or file, with the assignments that begin with "waveforms." applied.
-    Recordings are looked for beside the file.
+    Recordings and haptic content are looked for beside the file, which may itself be haptic content
+   (waveformsDocument).
     @throws InputError  as loadDocument and readWaveforms. [worker] */
 WaveformsDescription loadWaveforms (const std::string& nameOrFile, const std::vector<std::string>& assignments);
 

@@ -1,11 +1,13 @@
 #include "Library.h"
 
+#include "HapticContent.h"
 #include "ModeCache.h"
 #include "OutlineReader.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
 #include <antinode_base/System.h>
+#include <antinode_base/WholeFile.h>
 #include <antinode_model/RigidMotion.h>
 #include <antinode_resources.h>
 #include <antinode_structure/DeviceDescription.h>
@@ -14,6 +16,7 @@
 #include <antinode_text/OutputFolder.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <optional>
 #include <utility>
@@ -24,6 +27,7 @@ namespace antinode
 namespace
 {
 constexpr std::string_view extension = ".json";
+constexpr std::array<std::string_view, 4> extensions { extension, ".ahap", ".hjif", ".xml" };
 
 std::string folderName (LibraryKind kind)
 {
@@ -134,9 +138,12 @@ std::optional<WideModel> tryWide (const DeviceDescription& device, const ModalMo
     }
 }
 
-/** A document of the user's; drawings that a device names become a part of it. */
+/** A document of the user's; drawings that a device names become a part of it, haptic content becomes waveforms. */
 nlohmann::json readDocumentFile (LibraryKind kind, const std::filesystem::path& file)
 {
+    if (kind == LibraryKind::waveforms)
+        return waveformsDocument (readWholeFile (file, { "a JSON file" }), file.string());
+
     auto document = readJsonFile (file);
 
     if (kind == LibraryKind::device)
@@ -148,7 +155,8 @@ nlohmann::json readDocumentFile (LibraryKind kind, const std::filesystem::path& 
 
 bool isFileName (const std::string& text)
 {
-    return text.ends_with (extension) || text.find ('/') != std::string::npos;
+    return text.find ('/') != std::string::npos
+           || std::any_of (extensions.begin(), extensions.end(), [&] (auto each) { return text.ends_with (each); });
 }
 
 std::optional<std::filesystem::path> userLibraryFolder()

@@ -40,7 +40,7 @@ std::vector<LibraryEntry> libraryEntries (LibraryKind);
 /** The names of the factory's, sorted. [any] */
 std::vector<std::string> factoryNames (LibraryKind);
 
-/** Whether a document is named by its file: what has a '/' or ends in ".json". [any] */
+/** Whether a document is named by its file: what has a '/' or ends in ".json", ".ahap", ".hjif" or ".xml". [any] */
 bool isFileName (const std::string&);
 
 /** The JSON of a name, the factory's first, or of a file.

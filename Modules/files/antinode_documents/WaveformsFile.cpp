@@ -5,6 +5,7 @@
 #include "SharedFields.h"
 
 #include <antinode_base/InputError.h>
+#include <antinode_base/MessageText.h>
 #include <antinode_text/JsonReader.h>
 #include <antinode_text/WaveFile.h>
 
@@ -31,7 +32,7 @@ constexpr NumberRange depth { 0, 1 };
 constexpr NumberRange eventAmplitude { 1e-6, 1e6 };
 constexpr int largestSeed = 1000000000;
 constexpr NumberRange signalRate { 100, 2e6 }, signalValue { -1e6, 1e6 };
-constexpr std::size_t mostSignalSamples = 10'000'000;
+constexpr std::size_t mostSignalSamples = 10'000'000, mostVibrationPoints = 1'000'000;
 constexpr double micrometre = 1e-6;
 
 double numberOr (const JsonObject& object, std::string_view key, const NumberRange& range, double usual)
@@ -165,6 +166,30 @@ SampledSignal readSamples (const JsonValue& value)
     return { {}, rate, Eigen::Map<const Eigen::VectorXd> (values.data(), static_cast<Eigen::Index> (values.size())) };
 }
 
+VibrationSignal readVibration (const JsonValue& value)
+{
+    const auto object = value.object ({ "kind", "points" });
+    VibrationSignal vibration;
+
+    for (const auto& item : object.required ("points").items (2, mostVibrationPoints))
+    {
+        const auto numbers = item.numbers (3, 3, signalValue);
+        const auto before = vibration.points.empty() ? 0 : vibration.points.back().time;
+        const VibrationPoint point { fromMilliseconds (numbers[0]), numbers[1], numbers[2] };
+
+        if (! (vibration.points.empty() ? point.time == 0 : point.time > before))
+            item.fail ("is at " + numberText (numbers[0])
+                       + " ms; allowed: 0 for the first point, then times that ascend");
+
+        if (! signalFrequency.contains (point.frequency))
+            item.fail ("has " + numberText (point.frequency) + " Hz; allowed: " + signalFrequency.text());
+
+        vibration.points.push_back (point);
+    }
+
+    return vibration;
+}
+
 enum class SignalKind
 {
     click,
@@ -172,15 +197,17 @@ enum class SignalKind
     tone,
     noise,
     wav,
-    samples
+    samples,
+    vibration
 };
 
-constexpr WordList<SignalKind, 6> signalKindWords { { { "click", SignalKind::click },
+constexpr WordList<SignalKind, 7> signalKindWords { { { "click", SignalKind::click },
                                                       { "gabor", SignalKind::gabor },
                                                       { "tone", SignalKind::tone },
                                                       { "noise", SignalKind::noise },
                                                       { "wav", SignalKind::wav },
-                                                      { "samples", SignalKind::samples } } };
+                                                      { "samples", SignalKind::samples },
+                                                      { "vibration", SignalKind::vibration } } };
 
 TrackSignal readSignal (const JsonValue& value, const std::filesystem::path& folder)
 {
@@ -196,6 +223,8 @@ TrackSignal readSignal (const JsonValue& value, const std::filesystem::path& fol
             return readNoise (value);
         case SignalKind::samples:
             return readSamples (value);
+        case SignalKind::vibration:
+            return readVibration (value);
         case SignalKind::wav:
             break;
     }

@@ -2,6 +2,7 @@
 
 #include "PartFolder.h"
 
+#include <antinode_documents/HapticContent.h>
 #include <antinode_documents/Inputs.h>
 #include <antinode_documents/WaveformsFile.h>
 #include <antinode_text/JsonText.h>
@@ -24,7 +25,8 @@ std::string nameFrom (const nlohmann::json& json, const std::filesystem::path& p
     return isFileName (name) ? (plan.parent_path() / name).string() : name;
 }
 
-/** The document itself, or that of a name, which it gets where it has none; with its recordings in it. */
+/** The document itself, or that of a name, which it gets where it has none; with its recordings and haptic content in
+    it. */
 nlohmann::json playedDocument (LibraryKind kind, const nlohmann::json& json, const std::filesystem::path& plan)
 {
     const auto name = json.is_object() ? plan.string() : nameFrom (json, plan);
@@ -37,7 +39,8 @@ nlohmann::json playedDocument (LibraryKind kind, const nlohmann::json& json, con
         return document;
 
     const auto source = json.is_object() ? name : documentSource (kind, name);
-    return withRecordings (std::move (document), source, std::filesystem::path (name).parent_path());
+    const auto folder = std::filesystem::path (name).parent_path();
+    return withRecordings (withHapticFiles (std::move (document), folder), source, folder);
 }
 
 nlohmann::json deviceDocument (const SweepPlan& plan, const std::filesystem::path& file)
