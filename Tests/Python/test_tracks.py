@@ -7,7 +7,7 @@ import pytest
 
 import antinode as an
 
-files = ["finger-01.wav", "finger-02.wav", "summary.json", "voltages.wav"]
+files = ["finger-01.wav", "finger-02.wav", "scores.csv", "summary.json", "voltages.wav"]
 
 
 def two_fingers(**changes):
@@ -40,6 +40,23 @@ def test_the_track_is_reached_and_the_silent_finger_hardly_moves():
     assert np.abs(reached[0, :count] - wanted[:count]).max() < 0.05 * np.abs(wanted).max()
     assert np.abs(reached[1]).max() < 0.05 * np.abs(wanted).max()
     assert not performed.displacements_m.flags.writeable
+
+
+def test_haptic_content_is_played_at_a_place_with_its_level(program, same_files, tmp_path):
+    transient = {"Event": {"Time": 0.01, "EventType": "HapticTransient"}}
+    (tmp_path / "tap.ahap").write_text(json.dumps({"Version": 1.0, "Pattern": [transient]}))
+    command = ("perform", tmp_path / "tap.ahap", "--device", "aluminium-200x120", "--no-report")
+    program(*command, "--at", "40,40", "--level-db-sl", "20", "--out", tmp_path / "wanted")
+    content = an.waveforms(tmp_path / "tap.ahap")
+    performed = an.perform(content, "aluminium-200x120", at_mm=[(40, 40)], level_dB_SL=20)
+    performed.save(tmp_path / "made", report=False)
+    same_files(tmp_path / "wanted", tmp_path / "made", ["finger-01.wav", *files[2:]])
+    # The default intensity of a transient is 0.75.
+    assert performed.scores["fingers"][0]["level_dB_SL"] == pytest.approx(20 + 20 * np.log10(0.75), abs=0.1)
+    # The document of the content is waveforms like others.
+    document = content.to_dict()
+    document["tracks"][0].update(x_mm=40, y_mm=40, level_dB_SL=20)
+    assert np.array_equal(an.perform(document, "aluminium-200x120").voltages_V, performed.voltages_V)
 
 
 def test_a_pass_that_was_recorded_late_is_corrected_like_one_in_time(program, tmp_path):

@@ -40,6 +40,22 @@ void writeFingers (OutputFolder& folder, const PerformedWaveforms& performed)
                       encodeWave (played.displacements.row (p), loudest, played.sampleRate));
 }
 
+/** @throws InputError  for a point that moves */
+void putAt (TouchedPoint& point, const std::pair<double, double>& place)
+{
+    if (! point.path.empty())
+        throw InputError ("--at", "gives a place to a track with a path; allowed: tracks that stay");
+
+    point.x = place.first;
+    point.y = place.second;
+
+    if (point.finger)
+    {
+        point.finger->x = point.x;
+        point.finger->y = point.y;
+    }
+}
+
 /** What the voltages of a file do, 1.0 of which is the device's full scale. */
 PerformedWaveforms judgePlayed (const std::filesystem::path& file, const ModalModel& known, const ModalModel& judge,
                                 const WaveformsDescription& description, TrackSettings settings,
@@ -62,13 +78,33 @@ std::vector<Field> fields (PerformRequest& request)
 {
     constexpr double milliseconds = 1000;
     std::vector<Field> all {
-        Field ("waveforms", &request.waveforms, "Waveforms: an embedded name or a .json file")
+        Field ("waveforms", &request.waveforms,
+               "Waveforms: an embedded name, a .json file or haptic content (AHAP, HJIF, Android's VibrationEffect)")
             .usually ("three-fingers")
             .positional(),
         Field ("--device", &request.device, "Device: an embedded name or a .json file")
             .usually ("glass-148x210")
             .by ("the one that the waveforms name, else glass-148x210")
             .positional(),
+        Field ("--at",
+               NumberRows { "X or X,Y in mm, for example 38,30", 1, 2, true,
+                            [&request] (const auto& place) {
+                                request.places.emplace_back (place[0] / milli, place.size() > 1 ? place[1] / milli : 0);
+                            } },
+               "Place of a track, mm, in their order; a single track is played at each place (repeatable)")
+            .as ("at_mm")
+            .written ("X,Y", ',')
+            .by ("the places of the waveforms"),
+        Field ("--level-db-sl", &request.sensation,
+               "Level of the tracks, of haptic content at intensity 1, dB over threshold")
+            .as ("level_dB_SL")
+            .within (-60, 120)
+            .by ("that of the waveforms, else 25"),
+        Field ("--level-um", &request.displacement, "The same as the largest displacement, um")
+            .in (micro)
+            .within (1e-6, 1e6)
+            .by ("that of the waveforms")
+            .without ("--level-db-sl"),
         Field ("--rate", &request.sampleRate, "Sample rate, Hz").as ("sample_rate_Hz").within (1000, 2e6),
         Field ("--latency-ms", &request.latency,
                "Voltages follow the tracks as live inputs, by filters with this latency, ms, for example 5")
@@ -92,6 +128,32 @@ std::vector<Field> fields (PerformRequest& request)
     return all;
 }
 
+WaveformsDescription placedWaveforms (const PerformRequest& request)
+{
+    auto waveforms = request.waveforms;
+    auto& tracks = waveforms.tracks;
+    const auto& places = request.places;
+
+    if (! places.empty() && tracks.size() == 1)
+        tracks.resize (places.size(), Track (tracks.front()));
+
+    if (! places.empty() && places.size() != tracks.size())
+        throw InputError ("--at", "gives " + std::to_string (places.size())
+                                      + " places; allowed: " + std::to_string (tracks.size()) + ", one per track");
+
+    for (std::size_t i = 0; i < places.size(); ++i)
+        putAt (tracks[i].point, places[i]);
+
+    for (auto& track : tracks)
+        for (auto& event : track.events)
+            if (request.displacement)
+                event.level = { LevelKind::displacement, *request.displacement };
+            else if (request.sensation)
+                event.level = { LevelKind::sensation, *request.sensation };
+
+    return withSummedTracks (std::move (waveforms));
+}
+
 PerformedWaveforms perform (const PerformRequest& request, const ShowProgress& show)
 {
     TrackSettings settings;
@@ -102,8 +164,9 @@ PerformedWaveforms perform (const PerformRequest& request, const ShowProgress& s
     if (show)
         show ("Modes of the device", 0);
 
-    const auto& waveforms = request.waveforms;
+    const auto waveforms = placedWaveforms (request);
     const auto [known, judge] = trackModels (request.device, request.usesCache);
+    requirePlaces (judge.surface, waveforms);
 
     if (! request.played.empty())
         return judgePlayed (request.played, known, judge, waveforms, settings, show);
@@ -129,7 +192,7 @@ void writePerformed (const std::filesystem::path& path, const PerformedWaveforms
                       designToJson (performedDesign (performed, *extras.designFor), *extras.designFor).dump() + "\n");
 
     const auto summary = performedToJson (performed);
-    folder.write ("scores.csv", scoreTable ({ { path.filename().string(), summaryNumbers (summary), {} } }));
+    folder.write ("scores.csv", scoreTable ({ { performed.design.description.name, summaryNumbers (summary), {} } }));
     folder.write ("summary.json", summary.dump (2) + "\n");
     folder.commit();
 }

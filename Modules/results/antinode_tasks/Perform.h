@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace antinode
@@ -25,6 +26,10 @@ struct PerformRequest
 {
     WaveformsDescription waveforms;
     DeviceDescription device;
+    std::vector<std::pair<double, double>>
+        places;                                ///< m: of the tracks, in their order; of one track any number of copies.
+    std::optional<double> displacement;        ///< m: the level of all events, times their amplitudes.
+    std::optional<double> sensation;           ///< dB over threshold: the same.
     double sampleRate = 48000;                 ///< Hz
     std::optional<double> latency;             ///< s, of live inputs; none: the whole event is known.
     std::filesystem::path thresholdFile;       ///< What skin feels; empty: the built-in table.
@@ -38,7 +43,11 @@ struct PerformRequest
 /** [any] */
 std::vector<Field> fields (PerformRequest&);
 
-/** @throws InputError, LimitError  as performWaveforms and readRecordedPasses [worker] */
+/** The waveforms of a request at its places and with its level. @throws InputError  for another number of places than
+   of tracks, a place for a track with a path [any] */
+WaveformsDescription placedWaveforms (const PerformRequest&);
+
+/** @throws InputError, LimitError  as placedWaveforms, performWaveforms and readRecordedPasses [worker] */
 PerformedWaveforms perform (const PerformRequest&, const ShowProgress&);
 
 /** What is written besides voltages, sounds and numbers. */
