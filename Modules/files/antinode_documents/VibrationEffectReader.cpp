@@ -224,6 +224,7 @@ private:
             return *found;
 
         std::vector<std::string_view> words;
+        words.reserve (namedVibrations.size());
 
         for (const auto& named : namedVibrations)
             words.push_back (named.name);
