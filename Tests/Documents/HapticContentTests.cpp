@@ -183,7 +183,7 @@ TEST_CASE ("A pattern is played as an independent synthesis of it, to 0.1 dB", "
     const auto count = wanted.size();
     const auto lead = std::lround (0.005 * rate); // A vibration begins 5 ms after its event.
     Eigen::VectorXd tap = Eigen::VectorXd::Zero (count), hum = tap;
-    const auto attack = 0.002 + 0.02 * (std::pow (2, 2) - 1), release = 0.002 + 0.02 * (std::pow (2, 2.4) - 1);
+    const auto attack = 0.002 + 0.25 * 0.25, release = 0.002 + 0.3 * 0.3;
     double tapPhase = 0, humPhase = 0, humPeak = 0;
 
     for (Eigen::Index n = lead; n < count; ++n)

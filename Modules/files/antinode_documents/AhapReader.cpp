@@ -176,10 +176,12 @@ void readAhapValue (const JsonValue& entry, EventParameters& parameters)
         parameters.isSustained = value.number (unclamped) > 0.5;
 }
 
-/** How long an edge of an envelope lasts, s. Core Haptics says that it grows exponentially. */
+/** How long an edge of an envelope lasts, s. Core Haptics gives no numbers: these are a choice of ours. */
 double edgeDuration (double parameter)
 {
-    return shortestEdge + 0.02 * (std::exp2 (8 * std::clamp (parameter, 0.0, 1.0)) - 1);
+    constexpr double longest = 1; // s
+    const auto share = std::clamp (parameter, 0.0, 1.0);
+    return shortestEdge + longest * share * share;
 }
 
 /** From the begin of a continuous event on. */

@@ -34,7 +34,9 @@ void AudioEntry::prepare (double sampleRate)
     stop than the last one comes first. */
 std::size_t AudioEntry::takeFired (std::span<FocusEvent> events, int count)
 {
-    const auto [taken, stop] = triggers.pop (fired);
+    const auto popped = triggers.pop (fired);
+    const auto taken = popped.first;
+    const auto stop = popped.second;
     std::size_t due = 0;
 
     if (std::exchange (playedStop, stop) != stop)
