@@ -34,18 +34,15 @@ DesignRequest requestFor (int places, double width = 0.03)
     return request;
 }
 
-/** A train of so many foci that one design takes many seconds, and one step of its solver less than one. */
+/** Samples of so high a rate that one design takes many seconds, and one step of its solver less than one. */
 DesignRequest slowRequest (int places)
 {
     auto slow = requestFor (places);
     slow.model = std::make_shared<const ModalModel> (test::sineBeam (24, ceramics));
     slow.focus.modes.count = 24;
     slow.focus.focusTime = 0.05;
-    slow.focus.targets.resize (24, slow.focus.targets.front());
-
-    for (std::size_t i = 0; i < slow.focus.targets.size(); ++i)
-        slow.focus.targets[i].time = slow.focus.focusTime + 0.003 * static_cast<double> (i);
-
+    slow.focus.allocation.method = AllocationMethod::leastVoltage;
+    slow.playback.sampleRate = 768000;
     return slow;
 }
 

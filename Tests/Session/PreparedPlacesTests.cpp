@@ -146,18 +146,19 @@ TEST_CASE ("Who disarms voids what is due later, and notes' stop what is due beh
     auto told = played.reports();
     REQUIRE (told.size() == 1);
     CHECK (told[0].kind == PlayReport::Kind::stopped);
+}
 
-    // Due at the 40th sample of a block in which all notes go off at the 10th.
-    played.play (64, {}, armed);
-    REQUIRE (played.session.play (0, 1, 2));
-    played.play (4096, {}, armed);
-    const auto begun = played.reports().at (0).onset;
-    const auto next = begun / 64 * 64 + 4096;
-    REQUIRE (played.session.play (0, 1, 3, next + 40));
-    played.play (static_cast<int> (next - (begun / 64 * 64 + 4096) + 64), { { 10, FocusEventKind::stopAll, 0, 0 } },
-                 armed);
-    told = played.reports();
+TEST_CASE ("A stop of notes voids what is due behind it in its block", "[session][prepared]")
+{
+    PreparedSession played (1); // Has played a block of 64 samples.
+    played.play (64);
+    played.reports();
+    REQUIRE (played.session.play (0, 1, 2, 128 + 40));
+    const auto sound = played.play (4096, { { 10, FocusEventKind::stopAll, 0, 0 } });
+    CHECK (firstSound (sound) < 0);
+    const auto told = played.reports();
     REQUIRE (told.size() == 1);
+    CHECK (told[0].request == 2);
     CHECK (told[0].kind == PlayReport::Kind::stopped);
 }
 

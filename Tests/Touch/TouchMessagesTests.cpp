@@ -201,7 +201,7 @@ TEST_CASE ("OSC puts fingers down by numbers and lifts one or all of them", "[to
     CHECK (counters.of (TouchFault::outside) == 1);
 }
 
-TEST_CASE ("Commands keep their order among touches; without somebody for them they are unknown", "[touch][osc]")
+TEST_CASE ("Commands keep their order among touches, and are unknown where nobody takes them", "[touch][osc]")
 {
     using namespace std::string_literals;
     const auto packet =
