@@ -299,6 +299,7 @@ void RemoteControl::loadOnMessageThread (Loading wanted)
     {
         const std::lock_guard lock (mutex);
         wanted.asked = std::chrono::steady_clock::now();
+        wanted.voltageLimit = parameterValue (*host.processor().parameters().find ("voltage_limit"));
         loading.push_back (wanted);
     }
 
@@ -310,18 +311,21 @@ void RemoteControl::loadOnMessageThread (Loading wanted)
             if (self == nullptr)
                 return;
 
-            auto& player = self->host.processor();
-            auto& limit = *player.parameters().find ("voltage_limit");
-            const auto before = parameterValue (limit);
-
             if (wanted.device != nullptr)
                 self->host.arm().setValueNotifyingHost (0);
 
-            player.load (wanted.device, wanted.focus);
-
-            if (const auto now = parameterValue (limit); before > 0 && (now == 0 || now > before))
-                setValue (limit, before);
+            self->host.processor().load (wanted.device, wanted.focus);
+            self->keepLimit (wanted.voltageLimit);
         });
+}
+
+/** @param volts  0: there was none */
+void RemoteControl::keepLimit (double volts)
+{
+    auto& limit = *host.processor().parameters().find ("voltage_limit");
+
+    if (const auto now = parameterValue (limit); volts > 0 && (now == 0 || now > volts))
+        setValue (limit, volts);
 }
 
 void RemoteControl::prepare (const Request& request)
@@ -656,10 +660,14 @@ void RemoteControl::tellLoaded()
         answer (replaced->request, "refused", { replaced->request.command + ": another one was loaded in its place" });
 
     for (const auto& each : ended)
+    {
+        keepLimit (each.voltageLimit); // A device that came alone has got a focus with a limit of its own.
+
         if (now->error.empty())
             answer (each.request, "loaded", { now->device->description.name, now->focus.name });
         else
             answer (each.request, "refused", { now->error });
+    }
 }
 
 void RemoteControl::tellStatus()

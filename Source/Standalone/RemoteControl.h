@@ -62,6 +62,7 @@ private:
         std::shared_ptr<const DeviceDocument> device;
         std::shared_ptr<const FocusDocument> focus;
         std::chrono::steady_clock::time_point asked = {};
+        double voltageLimit = 0; ///< V, that was set then; 0: none.
     };
 
     using Arguments = std::vector<OscArgument>;
@@ -81,6 +82,7 @@ private:
     void keep (const Request&, const std::string& name, PrepareDesign);
     FocusDescription presentFocus();
     void loadOnMessageThread (Loading);
+    void keepLimit (double volts);
     void tellLoaded();
     void tellReports();
     void tellStatus();

@@ -146,7 +146,7 @@ TEST_CASE ("Keys of the focus and devices are set from outside, and told when th
     CHECK (status.at (1) == OscArgument ("beam"s));
 }
 
-TEST_CASE ("Subscribers hear of what changes; answers go to the port that a sender names")
+TEST_CASE ("Subscribers hear of what changes, and answers go to the port that a sender names")
 {
     Rig rig;
     rig.say ("reply", { 6000, "#1"s });

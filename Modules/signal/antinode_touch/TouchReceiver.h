@@ -12,6 +12,7 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <vector>
 
 namespace antinode
@@ -57,7 +58,10 @@ struct OscSender
     std::string address; ///< IPv4.
     int port = 0;
 
-    auto operator<=> (const OscSender&) const = default;
+    bool operator<(const OscSender& other) const
+    {
+        return std::tie (address, port) < std::tie (other.address, other.port);
+    }
 };
 
 struct OscAnswer
