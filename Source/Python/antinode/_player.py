@@ -115,6 +115,9 @@ class Player:
     def __exit__(self, *_: object) -> None:
         self.close()
 
+    def __repr__(self) -> str:
+        return f"<Player: {self._device.name}, prepared: {', '.join(self._prepared) or 'nothing'}>"
+
     def close(self) -> None:
         """Stops what plays, and ends the program that it has started."""
         self._out.close()
