@@ -181,7 +181,7 @@ private:
     std::vector<int> inputOrder, outputOrder; ///< Buffer channel of channel k; of outputs those of the monitor follow.
     std::size_t monitors = 0;                 ///< Channels.
     int sensorChannel = -1;                   ///< Of the buffer; below 0: the host does not use the bus.
-    MidiTriggers triggers { VelocityCurve {} };
+    MidiTriggers triggers;
     juce::CriticalSection latencyReports; ///< One at a time.
     DescribedModel describedModel;
     double toldTail = 0;       ///< s; of the message thread.

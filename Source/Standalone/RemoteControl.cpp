@@ -68,7 +68,8 @@ std::string valueText (const OscArgument& argument)
 void assign (nlohmann::json& focus, const std::string& key, const OscArgument& value)
 {
     const auto isOfTarget = key.find ('.') == std::string::npos && ! focus.contains (key) && focus.contains ("targets")
-                            && ! focus["targets"].empty() && focus["targets"][0].contains (key);
+                            && ! focus["targets"].empty()
+                            && (focus["targets"][0].contains (key) || key.starts_with ("peak_"));
     applyAssignment (focus, (isOfTarget ? "targets.0." + key : key) + "=" + valueText (value));
 }
 
@@ -492,14 +493,10 @@ void RemoteControl::play (const Request& request)
     if (++requests == 0)
         ++requests;
 
-    if (! host.processor().session().play (slot, amplitude, requests, due))
+    // So many can begin in one block, and each of them is told.
+    if (played.size() >= TriggerQueue::capacity || ! host.processor().session().play (slot, amplitude, requests, due))
         refuse ("/antinode/play",
                 "too many plays wait; allowed: " + std::to_string (TriggerQueue::capacity) + " at once");
-
-    constexpr std::size_t mostPlayed = 8192; // of which no report came
-
-    if (played.size() >= mostPlayed)
-        played.erase (played.begin());
 
     played[requests] = { request, name, clampedSamples() };
     answer (request, "accepted", { request.command });

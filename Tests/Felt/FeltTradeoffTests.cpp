@@ -17,7 +17,8 @@ FocusDescription weightedFocus()
     focus.modes.count = 5;
     focus.allocation.method = AllocationMethod::leastVoltage;
     focus.allocation.timesBound = upToLimits;
-    focus.felt = FeltChoice { FeltAt::places, { { -0.06, 0 } }, 1, 0.01, findSkinThreshold ({}) };
+    focus.felt = FeltChoice { FeltAt::places, { { -0.06, 0 } }, 1, 0.01 };
+    focus.threshold = findSkinThreshold ({});
     return focus;
 }
 } // namespace

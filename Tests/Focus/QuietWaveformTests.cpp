@@ -35,7 +35,8 @@ FocusDescription quietFocus (double weight, FeltAt at = FeltAt::places)
     focus.allocation.method = AllocationMethod::leastVoltage;
     focus.allocation.timesBound = upToLimits;
     focus.allocation.voltageLimit = 1000;
-    focus.felt = FeltChoice { at, {}, weight, 0.01, findSkinThreshold ({}) };
+    focus.felt = FeltChoice { at, {}, weight, 0.01 };
+    focus.threshold = findSkinThreshold ({});
 
     if (at == FeltAt::places)
         focus.felt->places = { { bystander, 0 } };

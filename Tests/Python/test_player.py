@@ -32,6 +32,15 @@ def test_a_level_becomes_an_amplitude(simulated):
     assert above.limited and above.amplitude == 1 and above.level_dB_SL == left.level_dB_SL
 
 
+def test_a_place_is_prepared_for_a_level(simulated):
+    with an.Player("staple", "demonstrator", audio="simulated") as player:
+        made = player.prepare({"felt": {"x_mm": -24, "peak_level_dB_SL": 20}})["felt"]
+    assert abs(made.level_dB_SL - 20) < 0.05
+    assert made.volts < simulated.prepared["left"].volts
+    with pytest.raises(an.InputError, match="one of them"):
+        an.focus(peak_velocity_mm_s=30, peak_level_dB_SL=20)
+
+
 def test_half_the_velocity_is_6_dB_less(simulated):
     strong = an.Player("staple", "demonstrator", audio="simulated").prepare({"weak": {"x_mm": 24, "peak_velocity_mm_s": 40}})
     assert math.isclose(strong["weak"].level_dB_SL - simulated.prepared["weak"].level_dB_SL, 20 * math.log10(2), abs_tol=1e-6)

@@ -1,6 +1,8 @@
+#include <antinode_documents/FocusFile.h>
 #include <antinode_documents/Inputs.h>
 #include <antinode_documents/SkinThresholds.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/FocusPlaces.h>
 #include <antinode_render/RenderedFocus.h>
 
 #include <nlohmann/json.hpp>
@@ -143,4 +145,83 @@ TEST_CASE ("A threshold is a table of Hz and um, or says what it lacks", "[felt]
     CHECK_THROWS_WITH (readSkinThreshold ("100,0.5,1\n250,0.1,1\n", "mine.csv"), Catch::Contains ("3 columns"));
     CHECK_THROWS_WITH (readSkinThreshold ("250,0.5\n100,0.1\n", "mine.csv"), Catch::Contains ("ascending"));
     CHECK_THROWS_WITH (findSkinThreshold ("/no/such.csv"), Catch::Contains ("/no/such.csv"));
+}
+
+TEST_CASE ("A focus is felt at the level that it asks for, at its own place and at any other", "[felt]")
+{
+    const auto model = solveDevice (loadDevice ("staple", {}), {}, true);
+    RenderOptions options;
+    options.duration = 0.4;
+    options.threshold = findSkinThreshold ({});
+    const auto focus = loadFocus ("demonstrator", { "focus.targets.0.peak_level_dB_SL=20" });
+    REQUIRE (focus.targets.front().level == 20);
+    double velocity = 0;
+
+    for (const auto x : { 0.024, -0.024, 0.05 })
+    {
+        const auto design = designFocus (model, movedTo (focus, x, 0), options.playback, DesignExtent::playable);
+        CHECK_FALSE (design.description.targets.front().level);
+        CHECK (renderFocus (model, design, options).felt->targets.front().level == Approx (20).margin (0.05));
+        velocity = design.description.targets.front().peakVelocity;
+    }
+
+    // Everything is linear: twice the velocity is felt 6.02 dB more strongly.
+    auto louder = movedTo (focus, 0.05, 0);
+    *louder.targets.front().level += 20 * std::log10 (2.0);
+    const auto design = designFocus (model, louder, options.playback, DesignExtent::playable);
+    CHECK (design.description.targets.front().peakVelocity == Approx (2 * velocity).epsilon (0.005));
+}
+
+TEST_CASE ("Targets of one event have levels of their own, as long as they do not keep each other from it", "[felt]")
+{
+    const auto model = solveDevice (loadDevice ("staple", {}), {}, true);
+    RenderOptions options;
+    options.threshold = findSkinThreshold ({});
+    auto focus = loadFocus ("demonstrator", { "focus.targets.0.peak_level_dB_SL=22" });
+    focus.targets.push_back (focus.targets.front());
+    focus.targets.back().x = -0.03;
+    focus.targets.back().level = 21;
+    const auto felt =
+        renderFocus (model, designFocus (model, focus, options.playback, DesignExtent::playable), options).felt.value();
+    CHECK (felt.targets[0].level == Approx (22).margin (0.05));
+    CHECK (felt.targets[1].level == Approx (21).margin (0.05));
+
+    focus.targets.back() = focus.targets.front();
+    focus.targets.back().level = 12;
+    CHECK_THROWS_AS (designFocus (model, focus, options.playback, DesignExtent::playable), InputError);
+}
+
+TEST_CASE ("A level beyond the limits is refused with the one that can be reached", "[felt]")
+{
+    const auto model = solveDevice (loadDevice ("staple", {}), {}, true);
+    const Playback playback { Reconstruction::bandLimited, 48000 };
+    auto focus = loadFocus ("demonstrator", { "focus.targets.0.peak_level_dB_SL=60" });
+
+    try
+    {
+        designFocus (model, focus, playback, DesignExtent::playable);
+        FAIL ("60 dB SL are beyond 50 V");
+    }
+    catch (const LimitError& failure)
+    {
+        const std::string text (failure.what());
+        const auto at = text.find ("up to about ");
+        REQUIRE (at != std::string::npos);
+        focus.targets.front().level = std::stod (text.substr (at + 12)) - 0.1;
+    }
+
+    CHECK_NOTHROW (designFocus (model, focus, playback, DesignExtent::playable));
+    *focus.targets.front().level += 6;
+    CHECK_THROWS_AS (designFocus (model, focus, playback, DesignExtent::playable), LimitError);
+}
+
+TEST_CASE ("A target has a velocity or a level, and what is set replaces the other", "[felt]")
+{
+    CHECK_FALSE (
+        loadFocus ("demonstrator", { "focus.targets.0.peak_level_dB_SL=20", "focus.targets.0.peak_velocity_mm_s=5" })
+            .targets.front()
+            .level);
+    auto document = nlohmann::json (focusToJson (loadFocus ("demonstrator", {})));
+    document["targets"][0]["peak_level_dB_SL"] = 20;
+    CHECK_THROWS_WITH (readFocus (document, "focus"), Catch::Contains ("peak_velocity_mm_s' and 'peak_level_dB_SL"));
 }

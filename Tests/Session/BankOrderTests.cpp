@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 using namespace antinode;
 
 namespace
@@ -36,4 +38,14 @@ TEST_CASE ("An urgent place comes before the wanted ones, and both are awaited",
     CHECK (wanted.isAwaited);
     CHECK (other.place == 0);
     CHECK_FALSE (other.isAwaited);
+}
+
+TEST_CASE ("Velocities of notes are even steps of level from the threshold on where a focus has a level", "[session]")
+{
+    const auto decibels = [] (int velocity) { return 20 * std::log10 (noteAmplitude (velocity / 127.0, 25)); };
+    CHECK (decibels (127) == Approx (0).margin (1e-9));
+    CHECK (decibels (1) == Approx (-25)); // at the threshold
+    CHECK (decibels (64) == Approx (-12.5));
+    CHECK (noteAmplitude (64 / 127.0, 0) == 64 / 127.0);
+    CHECK (noteAmplitude (0, 25) == 0);
 }

@@ -246,7 +246,7 @@ TEST_CASE ("A marker lasts from each focus on, whatever the blocks are", "[sessi
 {
     PlayReports reports;
     const std::array voices { BegunVoice { 0, true, 10, 100, 200 }, BegunVoice { 0, true, 10, 130, 200 } };
-    reports.begin (voices, 0, 0);
+    reports.begin (voices, 0, 0, {});
     std::vector<float> marker (512, -1);
 
     for (int begin = 0; begin < 512; begin += 64)
@@ -254,4 +254,25 @@ TEST_CASE ("A marker lasts from each focus on, whatever the blocks are", "[sessi
 
     for (int n = 0; n < 512; ++n)
         REQUIRE (marker[static_cast<std::size_t> (n)] == (n >= 100 && n < 180 ? 1.0F : 0.0F));
+}
+
+TEST_CASE ("A voice that a newer one takes is told as stopped, one that has ended as finished", "[session][prepared]")
+{
+    PlayReports reports;
+    const LevelMeters meters;
+
+    for (std::uint32_t i = 1; i <= FocusVoices::soundingVoices + 2; ++i)
+    {
+        const std::array voice { BegunVoice { i, true, i, i + 100, i == 3 ? 20 : 1000 } };
+        reports.begin (voice, 0, 0, meters);
+    }
+
+    std::vector<std::uint32_t> stopped, finished;
+
+    while (const auto report = reports.take())
+        if (report->kind != PlayReport::Kind::begun)
+            (report->kind == PlayReport::Kind::stopped ? stopped : finished).push_back (report->request);
+
+    CHECK (finished == std::vector<std::uint32_t> { 3 });
+    CHECK (stopped == std::vector<std::uint32_t> { 1 });
 }

@@ -2,6 +2,7 @@
 
 #include "Brake.h"
 #include "DesignRemarks.h"
+#include "FeltLevels.h"
 #include "FreeWaveform.h"
 #include "ModeDrives.h"
 #include "ModeWeighing.h"
@@ -110,6 +111,14 @@ double peakVoltage (const FocusDesign& design)
 FocusDesign allocateFocus (const ModalModel& model, const FocusDescription& asked, Playback playback,
                            DesignExtent extent)
 {
+    if (asksForLevels (asked))
+    {
+        checkTargets (model, asked.targets);
+        return designLevels (model, asked, playback,
+                             [&] (const FocusDescription& wanted)
+                             { return allocateFocus (model, wanted, playback, extent); });
+    }
+
     if (model.actuators() == 0)
         throw InputError ("device '" + model.name + "'", "has no ceramics; a focus needs at least one");
 

@@ -120,7 +120,7 @@ FeltLines feltLines (const ModalModel& model, const FocusDescription& focus, dou
 {
     requireRealModes (model, "focuses with less felt elsewhere");
     FeltLines lines { evenLines (duration), {}, {} };
-    const auto gains = modalGains (model, lines.frequencies, focus.felt.value().threshold);
+    const auto gains = modalGains (model, lines.frequencies, focus.threshold);
     const auto shapes = shapesOf (model, focus, gains.cwiseAbs().rowwise().maxCoeff());
     const Eigen::MatrixXd real = gains.real(), imaginary = gains.imag();
 

@@ -90,10 +90,9 @@ struct FeltChoice
 {
     FeltAt at = FeltAt::everywhere;
     std::vector<std::pair<double, double>> places; ///< x, y, m; with FeltAt::places only.
-    double weight = 10;      ///< At 1 the energies of voltages and of what is felt count alike, each in that of the
-                             ///< design without it.
-    double after = 0.02;     ///< s: how long voltages may go on after the focus.
-    SkinThreshold threshold; ///< Not in files: the library's, or that of a command.
+    double weight = 10;  ///< At 1 the energies of voltages and of what is felt count alike, each in that of the
+                         ///< design without it.
+    double after = 0.02; ///< s: how long voltages may go on after the focus.
 };
 
 /** Beyond this distance from the targets nothing should be felt, m: about the width of two fingertips. */
@@ -128,11 +127,13 @@ struct Target
     TargetShape shape = TargetShape::sinc;
     double x = 0, y = 0;     ///< Centre, m.
     double width = 0;        ///< Full width at half maximum, m.
-    double peakVelocity = 0; ///< m/s, more than 0.
+    double peakVelocity = 0; ///< m/s, more than 0. With a level the search for it begins here.
     int phase = 1;           ///< 1 or -1: the sign of the peak.
     TargetProfile profile = TargetProfile::radial;
     std::optional<double> widthY = {}; ///< Full width at half maximum in y, m, of a separable target; none: as in x.
     std::optional<double> time = {};   ///< s from the trigger; none: the focus time. Several times make a train.
+    std::optional<double> level = {};  ///< dB SL at its centre, in place of the peak velocity. A design has none any
+                                       ///< more: it has the velocity that reaches it.
 };
 
 enum class ModeOrder
@@ -211,5 +212,6 @@ struct FocusDescription
     std::vector<std::pair<double, double>> probes; ///< x, y, m.
     std::vector<Finger> fingers;                   ///< That rest on the surface.
     std::optional<FeltChoice> felt; ///< With samples up to the limits only: less is to be felt elsewhere.
+    SkinThreshold threshold;        ///< Of felt and of levels. Not in files: the library's, or that of a command.
 };
 } // namespace antinode

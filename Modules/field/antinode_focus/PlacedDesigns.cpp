@@ -1,6 +1,7 @@
 #include "PlacedDesigns.h"
 
 #include "DriveAllocation.h"
+#include "FeltLevels.h"
 #include "ModeDrives.h"
 #include "ModeWeighing.h"
 #include "Projection.h"
@@ -137,7 +138,7 @@ bool PlacedDesigns::suits (const WideModel& wide, const FocusDescription& focus)
     const auto isOneMoment = std::none_of (focus.targets.begin(), focus.targets.end(),
                                            [] (const auto& target) { return target.time.has_value(); });
     return ! model.hasComplexModes() && model.coversWholeBody && resolvedModes (model) == model.modes() && isOneMoment
-           && focus.fingers.empty() && ! focus.felt && ! hasSlewLimits (model)
+           && focus.fingers.empty() && ! focus.felt && ! asksForLevels (focus) && ! hasSlewLimits (model)
            && choice.method == AllocationMethod::exact && ! choice.window && ! choice.isUndisplaced && ! choice.robust
            && focus.transients.growth.empty() && focus.transients.cycles.empty() && suspensionModes (model) == 0;
 }

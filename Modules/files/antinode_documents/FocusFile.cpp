@@ -3,6 +3,7 @@
 #include "FileUnits.h"
 #include "FingerFile.h"
 #include "SharedFields.h"
+#include "SkinThresholds.h"
 
 #include <antinode_base/MessageText.h>
 #include <antinode_text/JsonReader.h>
@@ -18,6 +19,8 @@ constexpr std::size_t maximumProbes = 64;
 constexpr std::size_t maximumQuietPlaces = 10;
 constexpr int maximumCycles = 1000000;
 constexpr NumberRange velocityMillimetresPerSecond { 1e-6, 1e7 };
+constexpr NumberRange levelDecibels { -60, 80 };
+constexpr double velocityWithLevel = 0.01; ///< m/s, until the level is known.
 constexpr NumberRange captured { 0, 1, true };
 constexpr NumberRange growth { 0, 1000 };
 constexpr NumberRange brake { 1, 1000, true };
@@ -43,15 +46,21 @@ std::optional<double> optionalMilliseconds (const JsonObject& object, std::strin
 
 Target readTarget (const JsonValue& value)
 {
-    const auto object = value.object (
-        { "shape", "profile", "x_mm", "y_mm", "width_mm", "width_y_mm", "peak_velocity_mm_s", "phase", "time_ms" });
+    const auto object = value.object ({ "shape", "profile", "x_mm", "y_mm", "width_mm", "width_y_mm",
+                                        "peak_velocity_mm_s", "peak_level_dB_SL", "phase", "time_ms" });
     Target target;
     target.shape = object.required ("shape").choice (targetShapeWords);
     target.x = fromMillimetres (object.required ("x_mm").number (ranges::positionMillimetre));
     target.y = fromMillimetres (optionalNumber (object, "y_mm", ranges::positionMillimetre).value_or (0));
     target.width = fromMillimetres (object.required ("width_mm").number (ranges::lengthMillimetre));
+    target.level = optionalNumber (object, "peak_level_dB_SL", levelDecibels);
+
+    if (target.level && object.optional ("peak_velocity_mm_s"))
+        object.fail ("has two sizes; allowed: one of 'peak_velocity_mm_s' and 'peak_level_dB_SL'");
+
     target.peakVelocity =
-        fromMillimetres (object.required ("peak_velocity_mm_s").number (velocityMillimetresPerSecond));
+        target.level ? velocityWithLevel
+                     : fromMillimetres (object.required ("peak_velocity_mm_s").number (velocityMillimetresPerSecond));
 
     if (const auto phase = object.optional ("phase"))
         target.phase = phase->sign();
@@ -286,6 +295,7 @@ FocusDescription readFocus (const nlohmann::json& document, const std::string& s
     const auto object = value.object ({ "schema", "name", "device", "targets", "focus_time_ms", "modes", "transients",
                                         "allocation", "edge_window", "probes_mm", "fingers", "felt" });
     FocusDescription focus;
+    focus.threshold = findSkinThreshold ({});
 
     for (const auto& target : object.required ("targets").items (1, maximumTargets))
         focus.targets.push_back (readTarget (target));
@@ -350,7 +360,11 @@ Json targetToJson (const Target& target)
     if (target.widthY)
         object["width_y_mm"] = toMillimetres (*target.widthY);
 
-    object["peak_velocity_mm_s"] = toMillimetres (target.peakVelocity);
+    if (target.level)
+        object["peak_level_dB_SL"] = *target.level;
+    else
+        object["peak_velocity_mm_s"] = toMillimetres (target.peakVelocity);
+
     object["phase"] = target.phase;
     putMilliseconds (object, "time_ms", target.time);
     return object;

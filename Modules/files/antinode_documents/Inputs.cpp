@@ -57,9 +57,6 @@ FocusDescription focusFromDocument (const nlohmann::json& document, const std::s
     if (focus.name.empty())
         focus.name = fallbackName;
 
-    if (focus.felt)
-        focus.felt->threshold = findSkinThreshold ({});
-
     return focus;
 }
 

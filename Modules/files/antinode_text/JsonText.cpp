@@ -5,6 +5,7 @@
 #include <antinode_base/WholeFile.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <vector>
 
@@ -267,6 +268,18 @@ Json parseValue (std::string_view text)
         return std::string (text);
     }
 }
+/** What is set replaces the size in another unit. */
+void eraseOtherSizes (Json& parent, std::string_view set)
+{
+    constexpr std::array<std::array<std::string_view, 3>, 2> sizes { { { "peak_velocity_mm_s", "peak_level_dB_SL" },
+                                                                       { "level_um", "level_mm_s", "level_dB_SL" } } };
+
+    for (const auto& names : sizes)
+        if (parent.is_object() && std::find (names.begin(), names.end(), set) != names.end())
+            for (const auto name : names)
+                if (name != set)
+                    parent.erase (std::string (name));
+}
 } // namespace
 
 void applyAssignment (nlohmann::json& root, std::string_view assignment)
@@ -293,10 +306,16 @@ void applyAssignment (nlohmann::json& root, std::string_view assignment)
     auto changed = root;
     auto* node = &changed;
 
+    auto* parent = node;
+
     for (const auto part : parts)
-        node = &findMember (*node, part, where);
+    {
+        parent = node;
+        node = &findMember (*parent, part, where);
+    }
 
     *node = parseValue (assignment.substr (equals + 1));
+    eraseOtherSizes (*parent, parts.back());
     root = std::move (changed);
 }
 } // namespace antinode

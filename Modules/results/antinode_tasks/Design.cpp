@@ -115,8 +115,8 @@ FocusDescription focusOf (const FocusRequest& request)
     auto focus = request.focus;
     focus.fingers.insert (focus.fingers.end(), request.fingers.begin(), request.fingers.end());
 
-    if (focus.felt && ! request.thresholdFile.empty())
-        focus.felt->threshold = findSkinThreshold (request.thresholdFile.string());
+    if (! request.thresholdFile.empty())
+        focus.threshold = findSkinThreshold (request.thresholdFile.string());
 
     return focus;
 }

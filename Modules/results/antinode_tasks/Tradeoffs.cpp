@@ -51,7 +51,7 @@ DesignTradeoff byWeights (const Setup& setup, const FocusDescription& focus, con
 {
     RenderOptions render;
     render.playback = setup.playback;
-    render.threshold = focus.felt->threshold;
+    render.threshold = focus.threshold;
     const auto tell = [&] (const FeltTradeoff& now)
     {
         if (show)

@@ -1,18 +1,16 @@
 #include "MidiTriggers.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace antinode
 {
 namespace
 {
-std::optional<FocusEvent> eventFrom (const juce::MidiMessage& message, const VelocityCurve& curve, int offset)
+std::optional<FocusEvent> eventFrom (const juce::MidiMessage& message, int offset)
 {
     if (message.isNoteOn())
-        return FocusEvent { offset, FocusEventKind::trigger, message.getNoteNumber(),
-                            curve.amplitude (message.getVelocity()) };
+        return FocusEvent { offset, FocusEventKind::trigger, message.getNoteNumber(), message.getVelocity() / 127.0 };
 
     if (message.isNoteOff())
         return FocusEvent { offset, FocusEventKind::release, message.getNoteNumber(), 0 };
@@ -32,12 +30,6 @@ bool stopsAll (const juce::MidiMessage& message)
     return isReset || controller == allSoundOff || controller >= allNotesOff;
 }
 
-double VelocityCurve::amplitude (int velocity) const
-{
-    const auto share = std::pow (std::clamp (velocity, 1, 127) / 127.0, exponent);
-    return std::clamp (minimum + (1 - minimum) * share, 0.0, 1.0);
-}
-
 std::span<const FocusEvent> MidiTriggers::read (const juce::MidiBuffer& midi, int blockLength)
 {
     std::size_t count = 0;
@@ -50,7 +42,7 @@ std::span<const FocusEvent> MidiTriggers::read (const juce::MidiBuffer& midi, in
 
         const auto offset = std::clamp (metadata.samplePosition, 0, std::max (0, blockLength - 1));
 
-        if (const auto event = eventFrom (metadata.getMessage(), curve, offset))
+        if (const auto event = eventFrom (metadata.getMessage(), offset))
         {
             // What comes before a stop ends with it.
             count = isStop (*event) ? std::min (count, events.size() - 1) : count;

@@ -9,27 +9,16 @@
 
 namespace antinode
 {
-/** How a note's velocity becomes the amplitude of its focus. */
-struct VelocityCurve
-{
-    double exponent = 1; ///< amplitude = (velocity / 127)^exponent: 0 makes all notes equal, 2 spreads them.
-    double minimum = 0;  ///< Amplitude of the softest note; the loudest has 1.
-
-    /** @param velocity  1 to 127. [any] */
-    double amplitude (int velocity) const;
-};
-
 /** Whether a message ends all that sounds: all sound off, all notes off and the changes of mode that imply it, system
     reset. [any] Source: MIDI 1.0 Detailed Specification, channel mode messages 120 and 123 to 127, and FF. */
 bool stopsAll (const juce::MidiMessage&);
 
-/** MIDI as focus events: note number = place, on every channel; what ends all that sounds stops everything. */
+/** MIDI as focus events: note number = place, velocity / 127 = amplitude, on every channel; what ends all that sounds
+ * stops everything. */
 class MidiTriggers
 {
 public:
     static constexpr std::size_t mostEvents = 1024; ///< Of a block; those beyond are left out.
-
-    explicit MidiTriggers (VelocityCurve curveToUse) : curve (curveToUse) {}
 
     /** The events of a block, in the order of their samples. No stop is left out.
         @return  valid until the next call
@@ -37,7 +26,6 @@ public:
     std::span<const FocusEvent> read (const juce::MidiBuffer&, int blockLength);
 
 private:
-    VelocityCurve curve;
     std::array<FocusEvent, mostEvents> events;
 };
 } // namespace antinode

@@ -99,7 +99,7 @@ std::span<const FocusEvent> AudioEntry::gather (std::span<const FocusEvent> even
         }
         else if (playedNotes != NoteMeaning::nothing)
             all[count++] = { event.offset, event.kind, bankPlaceOf (event.place, playedNotes),
-                             event.amplitude * focusGain };
+                             noteAmplitude (event.amplitude, noteLevel) * focusGain };
 
     const auto gathered = all.first (count);
 
@@ -137,7 +137,7 @@ void AudioEntry::process (const AudioBlock<Sample>& block, const PlayControls& c
                           now, played);
         auto& voices = current->voices();
         playReports.begin (voices.takeBegun(), position + block.count - voices.time() + current->lateSamples(),
-                           limitedBefore);
+                           limitedBefore, played.levels);
 
         if (paths.isLeaving())
             playReports.stop (played.levels);

@@ -116,8 +116,12 @@ public:
         by all notes off among the events of a block, and by prepare(). [any] */
     StopCount& stops() { return stopCount; }
 
-    /** What notes play from the next block on. [session's thread] */
-    void setNotes (NoteMeaning notes) { meaning = notes; }
+    /** What notes play from the next block on. @param level  of noteAmplitude() [session's thread] */
+    void setNotes (NoteMeaning notes, double level)
+    {
+        meaning = notes;
+        noteLevel = level;
+    }
     NoteMeaning notes() const { return meaning; }
 
     /** [session's thread] PathExchange */
@@ -144,6 +148,7 @@ private:
     void playSilence (const AudioBlock<Sample>&);
 
     std::atomic<NoteMeaning> meaning { NoteMeaning::nothing };
+    std::atomic<double> noteLevel { 0 }; ///< dB SL
     std::atomic<double> preparedRate { 0 }, fullScale { 0 };
     StopCount stopCount;
     TriggerQueue triggers { stopCount };

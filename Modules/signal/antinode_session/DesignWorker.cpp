@@ -5,9 +5,8 @@
 #include <antinode_base/Watch.h>
 #include <antinode_documents/FocusFile.h>
 #include <antinode_documents/SkinThresholds.h>
-#include <antinode_engine/OfflineRender.h>
-#include <antinode_fingers/Sensation.h>
 #include <antinode_focus/DesignFocus.h>
+#include <antinode_focus/FeltLevels.h>
 #include <antinode_focus/FocusDesign.h>
 #include <antinode_focus/FocusPlaces.h>
 #include <antinode_focus/FocusScore.h>
@@ -118,17 +117,6 @@ FocusDesign PlaceDesigner::withAllGuards (FocusDesign design, double share, cons
 
 namespace
 {
-/** What is felt at its place, dB SL, as antinode_render says it. */
-double levelAt (const ModalModel& model, const PreparedDesign& design, Playback playback, double endSeconds)
-{
-    const auto render = renderOffline (model, design.program,
-                                       { playback, std::max (endSeconds, 2 * design.program.focusTime), 512,
-                                         Eigen::MatrixXd (0, model.coordinates()) });
-    const auto felt = feltMotion (model, render.modalVelocities, render.sampleRate, findSkinThreshold ({}));
-    return sensationLevel (
-        feltAmount (shapesAt (model, design.at.first, design.at.second) * felt.modal, felt.sampleRate));
-}
-
 constexpr auto partInterval = std::chrono::milliseconds (100); ///< Between parts of a bank that are handed over.
 
 /** Designs younger than this are finished even if outdated, so that a moving parameter is audible. */
@@ -289,7 +277,10 @@ std::optional<PreparedFocus> DesignWorker::designPreparedPlace (int place, const
         result.focusSeconds = design.program.focusTime;
         result.peakVoltage = design.peakVoltage;
         result.captured = design.captured;
-        result.sensationLevel = levelAt (*accepted->model, design, accepted->playback, result.endSeconds);
+        result.sensationLevel = feltLevels (*accepted->model, design.program, accepted->playback,
+                                            std::max (result.endSeconds, 2 * design.program.focusTime), { design.at },
+                                            findSkinThreshold ({}))
+                                    .front();
         kept = std::move (made);
     }
     catch (const Cancelled&)

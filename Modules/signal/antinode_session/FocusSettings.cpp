@@ -52,7 +52,10 @@ void applyTarget (FocusDescription& focus, const PlaySettings& settings, const P
         first.width = static_cast<double> (settings.widthMillimetres) * thousandth;
 
     if (! isSame (settings.peakVelocityMillimetresPerSecond, loaded.peakVelocityMillimetresPerSecond))
+    {
         first.peakVelocity = static_cast<double> (settings.peakVelocityMillimetresPerSecond) * thousandth;
+        first.level.reset();
+    }
 
     for (std::size_t i = 1; i < focus.targets.size(); ++i)
     {

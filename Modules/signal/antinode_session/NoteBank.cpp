@@ -6,6 +6,7 @@
 #include <antinode_focus/SpillOver.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <numeric>
 
@@ -20,6 +21,12 @@ int bankPlaceOf (int note, NoteMeaning meaning)
 {
     return meaning == NoteMeaning::spotOnly || note == spotNote ? FocusBank::livePlace
                                                                 : std::clamp (note, 0, FocusBank::places - 1);
+}
+
+double noteAmplitude (double velocity, double level)
+{
+    constexpr double softest = 1 / 127.0;
+    return level > 0 && velocity > 0 ? std::pow (10, -level / 20 * (1 - velocity) / (1 - softest)) : velocity;
 }
 
 std::vector<std::pair<double, double>> spreadNotes (const Surface& surface, std::pair<double, double> spot)

@@ -17,6 +17,13 @@ inline constexpr int spotNote = 60;
 /** The place of the bank that a note means. [any] */
 int bankPlaceOf (int note, NoteMeaning);
 
+/** The amplitude of a note, 0 to 1. With a level the softest note is at the threshold, the loudest at the level, and
+    those in between at even steps of dB; without one amplitudes are in proportion to velocities.
+    @param velocity  1/127 to 1
+    @param level     dB SL, of the loudest; not above 0: none
+    [any] */
+double noteAmplitude (double velocity, double level);
+
 /** The places of all notes: spread over the surface, middle C at the spot. @param spot  x, y in m
     @return  x, y in m, by note number [any] */
 std::vector<std::pair<double, double>> spreadNotes (const Surface&, std::pair<double, double> spot);

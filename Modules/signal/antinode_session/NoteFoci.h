@@ -55,6 +55,9 @@ public:
     /** Which places of the bank notes mean, or that they mean none. [session's thread] */
     NoteMeaning notes() const { return meaning; }
 
+    /** The level of the loudest note, dB SL; 0: none. [session's thread] */
+    double noteLevel() const { return served == nullptr ? 0 : served->description.targets.front().level.value_or (0); }
+
     /** Asks a path's worker for the bank where the focus or the path is another one, or other fingers rest; ends its
         work where fingers move on and there is a whole bank that can play.
         @param goesOn  whether to go on with loading the surface by fingers, which takes a part of a second

@@ -7,21 +7,20 @@
 
 namespace antinode
 {
+/** Nobody asks for those without a request. */
 void PlayReports::push (const PlayReport& report)
 {
-    if (! reports.push (report))
+    if (report.request != 0 && ! reports.push (report))
         ++lostCount;
 }
 
-void PlayReports::begin (std::span<const BegunVoice> voices, std::int64_t offset, std::int64_t limitedBefore)
+void PlayReports::begin (std::span<const BegunVoice> voices, std::int64_t offset, std::int64_t limitedBefore,
+                         const LevelMeters& meters)
 {
     for (const auto& voice : voices)
     {
         if (voice.plays && markCount < marks.size())
             marks[markCount++] = voice.focus + offset;
-
-        if (voice.request == 0)
-            continue;
 
         const PlayReport report { voice.plays ? PlayReport::Kind::begun : PlayReport::Kind::empty, voice.request,
                                   voice.onset + offset, voice.focus + offset };
@@ -30,11 +29,23 @@ void PlayReports::begin (std::span<const BegunVoice> voices, std::int64_t offset
         if (! voice.plays)
             continue;
 
-        if (count < playing.size())
-            playing[count++] = { report, voice.end + offset, limitedBefore };
-        else
-            push ({ PlayReport::Kind::finished, voice.request });
+        finishUntil (report.onset, meters);
+
+        // The player fades out its oldest voice for it.
+        if (count == playing.size())
+            finish (0, PlayReport::Kind::stopped, meters);
+
+        playing[count++] = { report, voice.end + offset, limitedBefore };
     }
+}
+
+void PlayReports::finishUntil (std::int64_t end, const LevelMeters& meters)
+{
+    for (std::size_t i = 0; i < count;)
+        if (playing[i].end <= end)
+            finish (i, PlayReport::Kind::finished, meters);
+        else
+            ++i;
 }
 
 void PlayReports::finish (std::size_t index, PlayReport::Kind kind, const LevelMeters& meters)
@@ -51,15 +62,10 @@ void PlayReports::finish (std::size_t index, PlayReport::Kind kind, const LevelM
 
 void PlayReports::endBlock (std::int64_t end, float peakVolts, const LevelMeters& meters)
 {
-    for (std::size_t i = 0; i < count;)
-    {
-        playing[i].report.peakVolts = std::max (playing[i].report.peakVolts, peakVolts);
+    for (auto& each : std::span (playing).first (count))
+        each.report.peakVolts = std::max (each.report.peakVolts, peakVolts);
 
-        if (playing[i].end <= end)
-            finish (i, PlayReport::Kind::finished, meters);
-        else
-            ++i;
-    }
+    finishUntil (end, meters);
 }
 
 void PlayReports::stop (const LevelMeters& meters)

@@ -41,7 +41,8 @@ class PlayReports
 public:
     /** What began in a block. @param voices  in the player's samples @param offset  from these to the session's
         @param limitedBefore  samples that limiters had clamped before the block [audio thread] */
-    void begin (std::span<const BegunVoice> voices, std::int64_t offset, std::int64_t limitedBefore);
+    void begin (std::span<const BegunVoice> voices, std::int64_t offset, std::int64_t limitedBefore,
+                const LevelMeters&);
 
     /** Behind a block. @param end  its end @param peakVolts  of it [audio thread] */
     void endBlock (std::int64_t end, float peakVolts, const LevelMeters&);
@@ -50,11 +51,7 @@ public:
     void stop (const LevelMeters&);
 
     /** A trigger that is void before it has begun. [audio thread] */
-    void cancel (const FocusEvent& event)
-    {
-        if (event.request != 0)
-            push ({ PlayReport::Kind::stopped, event.request });
-    }
+    void cancel (const FocusEvent& event) { push ({ PlayReport::Kind::stopped, event.request }); }
 
     /** The oldest that was not taken. One reader. [any] */
     std::optional<PlayReport> take() { return reports.pop(); }
@@ -67,7 +64,7 @@ public:
     void writeMarker (float* to, int count, std::int64_t begin, std::int64_t width);
 
 private:
-    static constexpr std::size_t most = 64, mostMarks = 256;
+    static constexpr std::size_t mostMarks = 256;
 
     struct Playing
     {
@@ -77,8 +74,9 @@ private:
 
     void push (const PlayReport&);
     void finish (std::size_t index, PlayReport::Kind, const LevelMeters&);
+    void finishUntil (std::int64_t end, const LevelMeters&);
 
-    std::array<Playing, most> playing {};
+    std::array<Playing, FocusVoices::soundingVoices> playing {}; ///< In the order in which they began.
     std::size_t count = 0;
     std::array<std::int64_t, mostMarks> marks {}; ///< Samples of foci, unsorted.
     std::size_t markCount = 0;

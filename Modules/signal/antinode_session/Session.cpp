@@ -26,7 +26,7 @@ Session::Session (DeviceDocument device, FocusDocument focusToPlay, std::functio
       takeFocus (std::move (takeFocusToCall)), newest (std::make_shared<const FocusDocument> (std::move (focusToPlay)))
 {
     asked.focus = newest;
-    setNotes (NoteMeaning::spread);
+    setNotes (NoteMeaning::spread, 0);
 }
 
 void Session::load (std::shared_ptr<const DeviceDocument> device, std::shared_ptr<const FocusDocument> wanted)
@@ -131,7 +131,8 @@ void Session::requestDesigns (const std::vector<int>& firstNotes)
     auto asWritten = written();
     latency = estimateLatency (focus->description, settings, rate) + path->lateSamples();
     setNotes (settings.noteLayout == NoteLayout::spot || asWritten != nullptr ? NoteMeaning::spotOnly
-                                                                              : NoteMeaning::spread);
+                                                                              : NoteMeaning::spread,
+              description.targets.front().level.value_or (0));
     path->setFocusLimits (limitsInPlay (*present.model, description, asWritten.get()));
     isFocusNew = false;
 

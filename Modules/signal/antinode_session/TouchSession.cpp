@@ -404,6 +404,6 @@ void TouchSession::serveFoci()
                                 deviceFollowing.shift() };
     foci.serve (*path, surface, std::exchange (isPathNew, false),
                 [this, areNotesAwaited] { return areNotesAwaited || owner.settings (settings) == settings; });
-    setNotes (foci.notes());
+    setNotes (foci.notes(), foci.noteLevel());
 }
 } // namespace antinode

@@ -186,6 +186,7 @@ def focus(
     y_mm: Optional[float] = None,
     width_mm: Optional[float] = None,
     peak_velocity_mm_s: Optional[float] = None,
+    peak_level_dB_SL: Optional[float] = None,
     shape: Optional[str] = None,
     focus_time_ms: Optional[float] = None,
     method: Optional[str] = None,
@@ -201,6 +202,7 @@ def focus(
         x_mm, y_mm: the centre of the first target, mm.
         width_mm: its full width at half maximum, mm.
         peak_velocity_mm_s: its velocity, mm/s.
+        peak_level_dB_SL: in its place: what a fingertip feels at the centre, dB above the threshold.
         shape: 'sinc', 'bump' or 'gaussian'.
         focus_time_ms: from the trigger to the focus, ms.
         method: of the allocation: 'exact', 'least_voltage' or 'paper'.
@@ -217,12 +219,16 @@ def focus(
 
     Source: Docs/FileFormats.md, "Focus"; Docs/Theory.md, section 2.
     """
+    if peak_velocity_mm_s is not None and peak_level_dB_SL is not None:
+        raise InputError("peak_level_dB_SL: stands beside peak_velocity_mm_s; allowed: one of them")
+
     start: Source = source._named() if isinstance(source, Focus) else source
     first = {
         "targets.0.x_mm": x_mm,
         "targets.0.y_mm": y_mm,
         "targets.0.width_mm": width_mm,
         "targets.0.peak_velocity_mm_s": peak_velocity_mm_s,
+        "targets.0.peak_level_dB_SL": peak_level_dB_SL,
         "targets.0.shape": shape,
         "focus_time_ms": focus_time_ms,
         "allocation.method": method,
