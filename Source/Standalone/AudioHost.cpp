@@ -43,6 +43,7 @@ void AudioHost::begin (Instrument toPlay)
     deviceManager.addChangeListener (this);
     deviceManager.addAudioCallback (audio.get());
     startTimer (hostTickMilliseconds);
+    allowRemoteArm (false);
 }
 
 void AudioHost::end()
@@ -54,6 +55,14 @@ void AudioHost::end()
     deviceManager.removeChangeListener (this);
     instrument->processor.removeListener (this);
     cancelPendingUpdate();
+    control = nullptr;
+}
+
+void AudioHost::allowRemoteArm (bool isAllowed)
+{
+    control = std::make_shared<RemoteControl> (*this, remotePlayer(), isAllowed);
+    setControl ({ [now = control] (const OscMessage& message, const OscSender& sender) { now->take (message, sender); },
+                  [now = control] { return now->answers(); } });
 }
 
 void AudioHost::openAudio (const AudioChoice& choice)

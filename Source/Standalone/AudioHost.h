@@ -2,6 +2,7 @@
 
 #include "AudioCallback.h"
 #include "MidiNotes.h"
+#include "RemoteControl.h"
 #include "StandaloneSettings.h"
 
 #include <Processor/DeviceProcessor.h>
@@ -96,6 +97,12 @@ public:
     void setMidi (const MidiChoice&);
     virtual void setTouch (const TouchPorts&) = 0;
 
+    /** Whether commands from outside may arm, from when ports are opened next; not at first. [message thread] */
+    void allowRemoteArm (bool isAllowed);
+
+    /** What commands reach. [message thread] */
+    virtual RemotePlayer remotePlayer() = 0;
+
     /** Whether the device that was opened has stopped to call. [message thread] */
     bool hasDeviceStopped() const { return watch.hasStopped(); }
 
@@ -182,6 +189,22 @@ protected:
                  [&session] (float* to, int count, std::int64_t width) { session.writeMarker (to, count, width); } });
     }
 
+    /** What all sessions give to commands. */
+    template <typename Player>
+    static RemotePlayer remotePlayerOf (Player& player)
+    {
+        auto& session = player.session();
+        return { session.clock(),
+                 session.reports(),
+                 [&session] (int slot, PrepareDesign design, RemotePlayer::Ready ready)
+                 { session.prepareFocus (slot, std::move (design), std::move (ready)); },
+                 [&session] (int slot, double amplitude, std::uint32_t request, std::int64_t due)
+                 { return session.playPrepared (slot, amplitude, request, due); },
+                 {},
+                 [&player] { return player.messages(); },
+                 {} };
+    }
+
     /** Shuts down, and does nothing any more. [message thread] */
     void end();
 
@@ -210,9 +233,10 @@ private:
 
     void begin (Instrument);
     virtual void keepState (StandaloneSettings&) = 0; ///< What plays, into the settings.
-    virtual Eigen::VectorXd limits() = 0;   ///< Of the ceramics while this plays, V; none: no device is solved.
-    virtual std::uint64_t generation() = 0; ///< Another one where limits may have changed.
-    virtual void tick() {}                  ///< 20 times a second.
+    virtual Eigen::VectorXd limits() = 0;     ///< Of the ceramics while this plays, V; none: no device is solved.
+    virtual std::uint64_t generation() = 0;   ///< Another one where limits may have changed.
+    virtual void setControl (OscControl) = 0; ///< Of the ports that are opened from now on.
+    virtual void tick() {}                    ///< 20 times a second.
     virtual TouchPorts openPorts() = 0;
     virtual TouchCounters touchCounters() = 0;
     virtual juce::String touchLines (const TouchCounters&) = 0;   ///< Of touchStatus().
@@ -242,6 +266,7 @@ private:
     std::unique_ptr<MidiInputs> midiInputs;
     juce::AudioDeviceManager deviceManager;
     DeviceWatch watch;
+    std::shared_ptr<RemoteControl> control;
     std::uint64_t seenGeneration = 0; ///< When it was looked at last.
 };
 } // namespace antinode

@@ -1,6 +1,6 @@
 #include "RemoteControl.h"
 
-#include "StandaloneHost.h"
+#include "AudioHost.h"
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
@@ -286,11 +286,12 @@ FocusDescription RemoteControl::presentFocus()
             return loading.back().focus->description;
     }
 
-    auto focus = host.processor().session().snapshot()->focus;
-    const auto touches = host.processor().touches();
-    std::erase_if (focus.fingers, [&] (const auto& finger)
-                   { return std::find (touches.begin(), touches.end(), finger) != touches.end(); });
-    return focus;
+    const auto now = player.present();
+
+    if (now.focusDocument == nullptr)
+        refuse ("focus", "none is loaded; load one with '/antinode/load DEVICE FOCUS'");
+
+    return now.focus;
 }
 
 /** Another device has other limits: it is armed again by who may. The limit that was set stays where it is the lower.
@@ -300,7 +301,7 @@ void RemoteControl::loadOnMessageThread (Loading wanted)
     {
         const std::lock_guard lock (mutex);
         wanted.asked = std::chrono::steady_clock::now();
-        wanted.voltageLimit = parameterValue (*host.processor().parameters().find ("voltage_limit"));
+        wanted.voltageLimit = player.voltageLimit != nullptr ? parameterValue (*player.voltageLimit) : 0;
         loading.push_back (wanted);
     }
 
@@ -315,7 +316,7 @@ void RemoteControl::loadOnMessageThread (Loading wanted)
             if (wanted.device != nullptr)
                 self->host.arm().setValueNotifyingHost (0);
 
-            self->host.processor().load (wanted.device, wanted.focus);
+            self->player.load (wanted.device, wanted.focus);
             self->keepLimit (wanted.voltageLimit);
         });
 }
@@ -323,10 +324,9 @@ void RemoteControl::loadOnMessageThread (Loading wanted)
 /** @param volts  0: there was none */
 void RemoteControl::keepLimit (double volts)
 {
-    auto& limit = *host.processor().parameters().find ("voltage_limit");
-
-    if (const auto now = parameterValue (limit); volts > 0 && (now == 0 || now > volts))
-        setValue (limit, volts);
+    if (volts > 0)
+        if (const auto now = parameterValue (*player.voltageLimit); now == 0 || now > volts)
+            setValue (*player.voltageLimit, volts);
 }
 
 void RemoteControl::prepare (const Request& request)
@@ -337,9 +337,7 @@ void RemoteControl::prepare (const Request& request)
     if (const auto* const text = std::get_if<std::string> (&arguments[1]); text != nullptr && arguments.size() == 2)
         return keep (request, name, preparesFocus (focusOf (*text, name)));
 
-    const auto now = host.processor().session().snapshot();
-
-    if (now->model == nullptr)
+    if (player.present().model == nullptr)
         refuse ("/antinode/prepare", "no device is solved yet; load one, or wait for '/antinode/loaded'");
 
     // A beam has no y.
@@ -385,40 +383,39 @@ void RemoteControl::keep (const Request& request, const std::string& name, Prepa
         generation = ++place.generation;
     }
 
-    host.processor().session().prepareFocus (
-        slot, std::move (design),
-        [weak = weak_from_this(), request, name, generation] (const PreparedFocus& made)
-        {
-            const auto self = weak.lock();
+    player.prepare (slot, std::move (design),
+                    [weak = weak_from_this(), request, name, generation] (const PreparedFocus& made)
+                    {
+                        const auto self = weak.lock();
 
-            if (self == nullptr)
-                return;
+                        if (self == nullptr)
+                            return;
 
-            {
-                const std::lock_guard lock (self->mutex);
+                        {
+                            const std::lock_guard lock (self->mutex);
 
-                auto& place = self->places[name];
+                            auto& place = self->places[name];
 
-                if (place.generation != generation)
-                    return; // Another one was asked for meanwhile.
+                            if (place.generation != generation)
+                                return; // Another one was asked for meanwhile.
 
-                place.state = made.error;
-            }
+                            place.state = made.error;
+                        }
 
-            if (made.error.empty())
-                self->answer (
-                    request, "designed",
-                    { name, made.peakVoltage, made.captured, made.sensationLevel, made.focusSeconds, made.endSeconds });
-            else
-                self->answer (request, "refused", { made.error });
-        });
+                        if (made.error.empty())
+                            self->answer (request, "designed",
+                                          { name, made.peakVoltage, made.captured, made.sensationLevel,
+                                            made.focusSeconds, made.endSeconds });
+                        else
+                            self->answer (request, "refused", { made.error });
+                    });
 }
 
 /** The sample of the session that a time means: h counts samples, d is in seconds since 1970, t is OSC's own. */
 std::int64_t RemoteControl::dueSample (const OscArgument& argument)
 {
     constexpr double from1900To1970 = 2208988800.0; // s
-    const auto& clock = host.processor().session().clock();
+    const auto& clock = player.clock;
     const auto now = std::chrono::steady_clock::now();
     const auto present = clock.sampleAt (now);
 
@@ -494,7 +491,7 @@ void RemoteControl::play (const Request& request)
         ++requests;
 
     // So many can begin in one block, and each of them is told.
-    if (played.size() >= TriggerQueue::capacity || ! host.processor().session().play (slot, amplitude, requests, due))
+    if (played.size() >= TriggerQueue::capacity || ! player.play (slot, amplitude, requests, due))
         refuse ("/antinode/play",
                 "too many plays wait; allowed: " + std::to_string (TriggerQueue::capacity) + " at once");
 
@@ -515,7 +512,7 @@ void RemoteControl::arm (const Request& request)
     if (! wanted)
     {
         host.arm().setValueNotifyingHost (0);
-        host.processor().session().stopAll();
+        host.stopAll();
         return answer (request, "accepted", { request.command });
     }
 
@@ -548,17 +545,17 @@ void RemoteControl::subscribe (const Request& request)
 
 RemoteControl::Arguments RemoteControl::status()
 {
-    const auto now = host.processor().session().snapshot();
-    const auto error = firstWarning (host.processor().messages());
+    const auto now = player.present();
+    const auto error = firstWarning (player.messages());
     auto prepared = 0;
     {
         const std::lock_guard lock (mutex);
         prepared = static_cast<int> (
             std::count_if (places.begin(), places.end(), [] (const auto& each) { return each.second.state.empty(); }));
     }
-    return { std::string ("device"),   now->device != nullptr ? now->device->description.name : std::string(),
-             std::string ("focus"),    now->focus.name,
-             std::string ("solving"),  now->isSolving,
+    return { std::string ("device"),   now.device != nullptr ? now.device->description.name : std::string(),
+             std::string ("focus"),    now.focus.name,
+             std::string ("solving"),  now.isSolving,
              std::string ("armed"),    static_cast<bool> (host.arm().get()),
              std::string ("muted"),    host.router().isMuted(),
              std::string ("rate_Hz"),  host.callback().sampleRate(),
@@ -579,7 +576,7 @@ std::int64_t RemoteControl::clampedSamples()
 /** When a sample leaves the device, s since 1970. */
 double RemoteControl::systemSeconds (std::int64_t sample)
 {
-    const auto time = host.processor().session().clock().timeOf (sample);
+    const auto time = player.clock.timeOf (sample);
 
     if (! time)
         return 0;
@@ -591,7 +588,7 @@ double RemoteControl::systemSeconds (std::int64_t sample)
 
 void RemoteControl::tellReports()
 {
-    auto& reports = host.processor().session().reports();
+    auto& reports = player.reports;
 
     while (const auto report = reports.take())
     {
@@ -626,12 +623,12 @@ void RemoteControl::tellLoaded()
 {
     std::vector<Loading> ended;
     std::optional<Loading> replaced;
-    const auto now = host.processor().session().snapshot();
+    const auto now = player.present();
     {
         const std::lock_guard lock (mutex);
         const auto isOver = [&] (const Loading& each) {
-            return each.device != nullptr ? now->device == each.device && ! now->isSolving
-                                          : now->focusDocument == each.focus;
+            return each.device != nullptr ? now.device == each.device && ! now.isSolving
+                                          : now.focusDocument == each.focus;
         };
 
         // One that another one has replaced is over, too.
@@ -660,10 +657,10 @@ void RemoteControl::tellLoaded()
     {
         keepLimit (each.voltageLimit); // A device that came alone has got a focus with a limit of its own.
 
-        if (now->error.empty())
-            answer (each.request, "loaded", { now->device->description.name, now->focus.name });
+        if (now.error.empty())
+            answer (each.request, "loaded", { now.device->description.name, now.focus.name });
         else
-            answer (each.request, "refused", { now->error });
+            answer (each.request, "refused", { now.error });
     }
 }
 

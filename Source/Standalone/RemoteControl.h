@@ -1,6 +1,9 @@
 #pragma once
 
 #include <antinode_session/DesignWorker.h>
+#include <antinode_session/Documents.h>
+#include <antinode_session/PlayReports.h>
+#include <antinode_session/UserMessages.h>
 #include <antinode_touch/TouchReceiver.h>
 
 #include <chrono>
@@ -17,15 +20,46 @@
 
 namespace antinode
 {
-class StandaloneHost;
+class AudioHost;
+class NumberParameter;
+
+/** What of a program that plays, foci or fingers, commands reach. */
+struct RemotePlayer
+{
+    /** What plays just now. */
+    struct Present
+    {
+        std::shared_ptr<const DeviceDocument> device;
+        std::shared_ptr<const FocusDocument> focusDocument; ///< None: none was loaded.
+        std::shared_ptr<const ModalModel> model;            ///< None before the first device is solved.
+        FocusDescription focus;                             ///< As it is designed, without touches.
+        bool isSolving = false;
+        std::string error; ///< Why the requested device cannot be played.
+    };
+
+    using Ready = std::function<void (const PreparedFocus&)>;
+
+    const SampleClock& clock;
+    PlayReports& reports;
+    std::function<void (int slot, PrepareDesign, Ready)> prepare; ///< As InstrumentSession, as the next line.
+    std::function<bool (int slot, double amplitude, std::uint32_t request, std::int64_t due)> play;
+    std::function<Present()> present; ///< [any but the audio thread], as the next line.
+    std::function<std::vector<UserMessage>()> messages;
+    std::function<void (const std::shared_ptr<const DeviceDocument>&, const std::shared_ptr<const FocusDocument>&)>
+        load;                                ///< One of them may be none. [message thread]
+    NumberParameter* voltageLimit = nullptr; ///< V, 0: none is set; null: there is none to set.
+};
 
 /** OSC commands that load, prepare and play, and their answers: what a script controls an experiment by. Docs/Manual/
     remote.md lists them. Made and ended on the message thread; take() and answers() belong to one other thread. */
 class RemoteControl : public std::enable_shared_from_this<RemoteControl>
 {
 public:
-    /** @param hostToControl  outlives this @param arms  whether `/antinode/arm 1` arms [message thread] */
-    RemoteControl (StandaloneHost& hostToControl, bool arms) : host (hostToControl), mayArm (arms) {}
+    /** @param hostToControl, player  outlive this @param arms  whether `/antinode/arm 1` arms [message thread] */
+    RemoteControl (AudioHost& hostToControl, RemotePlayer playerToControl, bool arms)
+        : host (hostToControl), player (std::move (playerToControl)), mayArm (arms)
+    {
+    }
 
     /** A command; faults are answered by the sentence that a file would get. [receiver's thread] */
     void take (const OscMessage&, const OscSender&);
@@ -91,7 +125,8 @@ private:
     std::int64_t dueSample (const OscArgument&);
     double systemSeconds (std::int64_t sample);
 
-    StandaloneHost& host;
+    AudioHost& host;
+    RemotePlayer player;
     bool mayArm;
     std::mutex mutex; ///< For the next lines, which the threads of designs and of messages have, too.
     std::vector<OscAnswer> waiting;

@@ -52,14 +52,12 @@ StandaloneHost::StandaloneHost (SettingsFile fileToUse, bool keepsSettings)
         player.setState (*kept.state, true);
 
     begin (player);
-    allowRemoteArm (false);
     callback().setInputs (sensorAlone());
 }
 
 StandaloneHost::~StandaloneHost()
 {
     end();
-    control = nullptr;
 }
 
 void StandaloneHost::setTouch (const TouchPorts& ports)
@@ -69,12 +67,23 @@ void StandaloneHost::setTouch (const TouchPorts& ports)
     touchInput.open (ports);
 }
 
-void StandaloneHost::allowRemoteArm (bool isAllowed)
+/** The focus is without the touches that rest on the surface for a while. */
+RemotePlayer StandaloneHost::remotePlayer()
 {
-    control = std::make_shared<RemoteControl> (*this, isAllowed);
-    touchInput.setControl ({ [now = control] (const OscMessage& message, const OscSender& sender)
-                             { now->take (message, sender); },
-                             [now = control] { return now->answers(); } });
+    auto remote = remotePlayerOf (player);
+    remote.voltageLimit = dynamic_cast<NumberParameter*> (player.parameters().find ("voltage_limit"));
+    remote.load = [this] (const auto& device, const auto& focus) { player.load (device, focus); };
+    remote.present = [this]
+    {
+        const auto now = player.session().snapshot();
+        auto focus = now->focus;
+        const auto touches = player.touches();
+        std::erase_if (focus.fingers, [&] (const auto& finger)
+                       { return std::find (touches.begin(), touches.end(), finger) != touches.end(); });
+        return RemotePlayer::Present { now->device,       now->focusDocument, now->model,
+                                       std::move (focus), now->isSolving,     now->error };
+    };
+    return remote;
 }
 
 void StandaloneHost::restTouches()

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "AudioHost.h"
-#include "RemoteControl.h"
 #include "TouchInput.h"
 
 #include <Processor/AntinodeProcessor.h>
@@ -40,8 +39,7 @@ public:
     void setTouch (const TouchPorts&) override;
     void shutDown() override;
 
-    /** Whether commands from outside may arm, from when ports are opened next; not at first. [message thread] */
-    void allowRemoteArm (bool isAllowed);
+    RemotePlayer remotePlayer() override;
 
     /** Puts touches that rest on the surface as fingers, and lifts those that have left, where that is due. The host
         does so itself 20 times a second. [message thread] */
@@ -60,11 +58,11 @@ private:
     void keepState (StandaloneSettings& settings) override { settings.state = player.state(); }
     Eigen::VectorXd limits() override;
     std::uint64_t generation() override { return player.session().snapshot()->generation; }
+    void setControl (OscControl control) override { touchInput.setControl (std::move (control)); }
     void tick() override;
 
     AntinodeProcessor player { AntinodeProcessor::maximumCeramics, juce::AudioProcessor::wrapperType_Undefined };
     TouchInput touchInput { player.session() };
-    std::shared_ptr<RemoteControl> control;
     bool wasArmed = false;
     std::uint64_t seenMutes = 0; ///< When they were looked at last.
 };

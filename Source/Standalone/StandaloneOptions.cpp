@@ -282,8 +282,8 @@ void loadFingers (TouchHost& host, const StandaloneOptions& options)
     if (! options.touch.empty())
         host.processor().load (deviceDocument (options.touch));
 
+    host.allowRemoteArm (options.allowsRemoteArm);
     takeMarker (host, options);
-
     takeInputs (host, options);
 
     if (options.touchLatency > 0)

@@ -50,6 +50,28 @@ TouchHost::~TouchHost()
     end();
 }
 
+RemotePlayer TouchHost::remotePlayer()
+{
+    auto remote = remotePlayerOf (player);
+    remote.load = [this] (const auto& device, const auto& focus)
+    {
+        if (device != nullptr)
+            player.load (device);
+
+        if (focus != nullptr)
+            player.loadFocus (focus);
+    };
+    remote.present = [this]
+    {
+        const auto now = player.session().snapshot();
+        const auto focus = player.focus();
+        return RemotePlayer::Present { now->device,    focus,
+                                       now->model,     focus != nullptr ? focus->description : FocusDescription {},
+                                       now->isSolving, now->error };
+    };
+    return remote;
+}
+
 void TouchHost::setInputs (const FingerInputs& inputs)
 {
     kept.inputs = inputs;

@@ -44,6 +44,7 @@ public:
     void setTouch (const TouchPorts&) override;
     void shutDown() override;
 
+    RemotePlayer remotePlayer() override;
     void stopAll() override { player.stopAll(); }
     bool playsFoci() const override { return false; }
     juce::String latencyText() override;
@@ -60,6 +61,7 @@ private:
     void keepState (StandaloneSettings&) override;
     Eigen::VectorXd limits() override;
     std::uint64_t generation() override;
+    void setControl (OscControl control) override { player.network().setControl (std::move (control)); }
     AudioChoice audioToKeep (AudioChoice opened) const override;
     std::map<std::string, double> fingerValues (const Surface&);
 

@@ -153,8 +153,8 @@ void NetworkFingers::listen()
 
     try
     {
-        receiver =
-            std::make_unique<TouchReceiver> (wantedPorts, options, [this] (const Touch& touch) { take (touch); });
+        receiver = std::make_unique<TouchReceiver> (
+            wantedPorts, options, [this] (const Touch& touch) { take (touch); }, control);
     }
     catch (const InputError& failure)
     {
@@ -162,6 +162,12 @@ void NetworkFingers::listen()
         isRefused = true;
         throw;
     }
+}
+
+void NetworkFingers::setControl (OscControl controlToUse)
+{
+    const std::lock_guard lock (mutex);
+    control = std::move (controlToUse);
 }
 
 bool NetworkFingers::retryWhenDue()

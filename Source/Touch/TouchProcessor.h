@@ -72,6 +72,9 @@ public:
         [any but the audio thread] */
     void open (const TouchPorts&);
 
+    /** What takes commands of the ports that are opened from now on. [any but the audio thread] */
+    void setControl (OscControl);
+
     /** Tries again to open what is wanted and was refused, where the last time was a second ago.
         @return  whether it is open now [any but the audio thread] */
     bool retryWhenDue();
@@ -108,6 +111,7 @@ private:
     mutable std::mutex mutex; ///< For the next lines.
     TouchPorts wantedPorts { 0, 0, "127.0.0.1" };
     std::unique_ptr<TouchReceiver> receiver; ///< None: nothing is wanted, or it was refused.
+    OscControl control;
     std::string refusal;
     std::atomic<bool> isRefused { false };
     std::chrono::steady_clock::time_point lastTry;

@@ -77,7 +77,7 @@ TEST_CASE ("Prepared places begin on the sample that is told, in whatever order 
     played.play (4096);
     played.reports();
     // The clock of a session counts all that it has played.
-    REQUIRE (played.session.play (0, 1, 9999));
+    REQUIRE (played.session.playPrepared (0, 1, 9999));
     const auto first = played.play (length);
     const auto told = played.reports();
     REQUIRE (told.size() == 2);
@@ -99,7 +99,7 @@ TEST_CASE ("Prepared places begin on the sample that is told, in whatever order 
 
         const auto isLater = k % 2 == 1;
         const auto due = clock + static_cast<std::int64_t> (random() % 300);
-        REQUIRE (played.session.play (slot, 0.5, static_cast<std::uint32_t> (k + 1), isLater ? due : 0));
+        REQUIRE (played.session.playPrepared (slot, 0.5, static_cast<std::uint32_t> (k + 1), isLater ? due : 0));
         const auto sound = played.play (length);
         const auto reports = played.reports();
         REQUIRE (reports.size() == 2);
@@ -118,8 +118,8 @@ TEST_CASE ("A stop ends what plays and what waits, and tells both", "[session][p
     PreparedSession played (2);
     played.play (1024);
     played.reports();
-    REQUIRE (played.session.play (0, 1, 1));
-    REQUIRE (played.session.play (1, 1, 2, 1 << 20));
+    REQUIRE (played.session.playPrepared (0, 1, 1));
+    REQUIRE (played.session.playPrepared (1, 1, 2, 1 << 20));
     played.play (128);
     played.session.stopAll();
     const auto after = played.play (4800);
@@ -140,7 +140,7 @@ TEST_CASE ("Who disarms voids what is due later, and notes' stop what is due beh
     disarmed.isArmed = false;
     played.play (64, {}, armed);
     played.reports();
-    REQUIRE (played.session.play (0, 1, 1, 1 << 20));
+    REQUIRE (played.session.playPrepared (0, 1, 1, 1 << 20));
     played.play (64, {}, armed);
     played.play (64, {}, disarmed);
     auto told = played.reports();
@@ -153,7 +153,7 @@ TEST_CASE ("A stop of notes voids what is due behind it in its block", "[session
     PreparedSession played (1); // Has played a block of 64 samples.
     played.play (64);
     played.reports();
-    REQUIRE (played.session.play (0, 1, 2, 128 + 40));
+    REQUIRE (played.session.playPrepared (0, 1, 2, 128 + 40));
     const auto sound = played.play (4096, { { 10, FocusEventKind::stopAll, 0, 0 } });
     CHECK (firstSound (sound) < 0);
     const auto told = played.reports();
@@ -167,7 +167,7 @@ TEST_CASE ("A place without a design plays nothing and says so", "[session][prep
     PreparedSession played (1);
     played.play (64);
     played.reports();
-    REQUIRE (played.session.play (17, 1, 5));
+    REQUIRE (played.session.playPrepared (17, 1, 5));
     const auto sound = played.play (2400);
     CHECK (firstSound (sound) < 0);
     const auto reports = played.reports();

@@ -1,4 +1,5 @@
 #include <Standalone/StandaloneHost.h>
+#include <Standalone/TouchHost.h>
 
 #include "Support/JuceMessages.h"
 #include "Support/TemporaryFolder.h"
@@ -15,9 +16,10 @@ using namespace std::string_literals;
 namespace
 {
 /** A host without a device whose blocks are played by hand, and a sender. */
+template <typename Host = StandaloneHost>
 struct Rig
 {
-    explicit Rig (bool arms = false) : control (std::make_shared<RemoteControl> (host, arms))
+    explicit Rig (bool arms = false) : control (std::make_shared<RemoteControl> (host, host.remotePlayer(), arms))
     {
         host.processor().prepareToPlay (48000, 256);
         host.processor().session().waitUntilSettled();
@@ -27,7 +29,7 @@ struct Rig
 
     void play()
     {
-        juce::AudioBuffer<float> buffer (66, 256);
+        juce::AudioBuffer<float> buffer (80, 256);
         juce::MidiBuffer midi;
         buffer.clear();
         host.processor().processBlock (buffer, midi);
@@ -62,7 +64,7 @@ struct Rig
 
     std::string refused (const std::string& id) { return std::get<std::string> (hear (id, "refused").at (0)); }
 
-    StandaloneHost host { SettingsFile ({}), false };
+    Host host { SettingsFile ({}), false };
     std::shared_ptr<RemoteControl> control;
     std::vector<OscAnswer> heard;
 };
@@ -70,7 +72,7 @@ struct Rig
 
 TEST_CASE ("A place is prepared and played, and every step is told")
 {
-    Rig rig;
+    Rig<> rig;
     rig.say ("prepare", { "left"s, -24.0F, "#1"s });
     CHECK (rig.hear ("#1", "accepted").at (0) == OscArgument ("/antinode/prepare"s));
     const auto designed = rig.hear ("#1", "designed");
@@ -90,7 +92,7 @@ TEST_CASE ("A place is prepared and played, and every step is told")
 
 TEST_CASE ("What cannot be done is refused by a sentence, with the request's own number")
 {
-    Rig rig;
+    Rig<> rig;
     rig.say ("play", { "left"s, "#a"s });
     CHECK (rig.refused ("#a") == "/antinode/play: 'left': was not prepared; prepare it with '/antinode/prepare'");
     rig.say ("bogus", { "#b"s });
@@ -113,7 +115,7 @@ TEST_CASE ("What cannot be done is refused by a sentence, with the request's own
 
 TEST_CASE ("Outputs that are not armed play nothing for a script")
 {
-    Rig rig (true);
+    Rig<> rig (true);
     rig.say ("prepare", { "left"s, -24.0F, "#1"s });
     rig.hear ("#1", "designed");
     rig.say ("arm", { 0, "#2"s });
@@ -128,7 +130,7 @@ TEST_CASE ("Outputs that are not armed play nothing for a script")
 
 TEST_CASE ("Keys of the focus and devices are set from outside, and told when they play")
 {
-    Rig rig;
+    Rig<> rig;
     rig.say ("set", { "peak_velocity_mm_s"s, 20, "#1"s });
     rig.hear ("#1", "loaded");
     CHECK (rig.host.processor().session().snapshot()->focus.targets.front().peakVelocity == 0.02);
@@ -148,7 +150,7 @@ TEST_CASE ("Keys of the focus and devices are set from outside, and told when th
 
 TEST_CASE ("Subscribers hear of what changes, and answers go to the port that a sender names")
 {
-    Rig rig;
+    Rig<> rig;
     rig.say ("reply", { 6000, "#1"s });
     rig.say ("subscribe", { "#2"s });
     rig.hear ("#2", "status");
@@ -160,11 +162,28 @@ TEST_CASE ("Subscribers hear of what changes, and answers go to the port that a 
 
 TEST_CASE ("A stop ends what a script plays")
 {
-    Rig rig;
+    Rig<> rig;
     rig.say ("prepare", { "left"s, -24.0F, "#1"s });
     rig.hear ("#1", "designed");
     rig.say ("play", { "left"s, 1.0, "#2"s });
     rig.hear ("#2", "playing");
     rig.host.stopAll();
     CHECK (rig.hear ("#2", "finished").at (4) == OscArgument ("stopped"s));
+}
+
+TEST_CASE ("The program that plays fingers takes the same commands: foci play on top of them")
+{
+    Rig<TouchHost> rig;
+    rig.say ("prepare", { "left"s, -24.0F, "#1"s });
+    CHECK_THAT (rig.refused ("#1"), Catch::Contains ("none is loaded"));
+    rig.say ("load", { "staple"s, "demonstrator"s, "#2"s });
+    CHECK (rig.hear ("#2", "loaded").at (1) == OscArgument ("demonstrator"s));
+    CHECK_FALSE (rig.host.arm().get());
+    rig.host.arm().setValueNotifyingHost (1);
+    rig.say ("prepare", { "left"s, -24.0F, "peak_level_dB_SL"s, 20, "#3"s });
+    CHECK (std::get<double> (rig.hear ("#3", "designed").at (3)) == Approx (20).margin (0.05));
+    rig.say ("play", { "left"s, 1.0, "#4"s });
+    rig.hear ("#4", "playing");
+    rig.host.stopAll();
+    CHECK (rig.hear ("#4", "finished").at (4) == OscArgument ("stopped"s));
 }

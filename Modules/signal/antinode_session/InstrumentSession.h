@@ -55,7 +55,7 @@ public:
         [any but the audio thread] */
     FollowingRequests& following() const { return *followingRequests; }
 
-    /** Makes a design for a place of its own, for the device as it is and again for each that comes; it plays by play()
+    /** Makes a design for a place of its own, for the device as it is and again for each that comes; it plays by playPrepared()
         as soon as its design is ready. Another one takes the place of the one before.
         @param slot   0 to FocusBank::mostPrepared - 1
         @param ready  called on a worker's thread each time, with what it needs or why there is none; must not block
@@ -70,7 +70,7 @@ public:
 
     /** Plays what was prepared. @param amplitude, request, due  as AudioEntry::fire; void after a stop
         @return  false where too many wait [any but the audio thread] */
-    bool play (int slot, double amplitude, std::uint32_t request, std::int64_t due = 0)
+    bool playPrepared (int slot, double amplitude, std::uint32_t request, std::int64_t due = 0)
     {
         return AudioEntry::fire (FocusBank::firstPreparedPlace + slot, amplitude, stops().now(), request, due);
     }
