@@ -86,6 +86,21 @@ OutputRouting withMonitor (OutputRouting routing, int firstOutput)
     return routing;
 }
 
+OutputRouting withMarker (OutputRouting routing, const SyncMarker& marker)
+{
+    routing.marker = marker;
+
+    if (marker.output == OutputRouting::none)
+        return routing;
+
+    std::replace (routing.outputs.begin(), routing.outputs.end(), marker.output, OutputRouting::none);
+
+    if (isMonitorOutput (routing, marker.output))
+        routing.monitor = OutputRouting::none;
+
+    return routing;
+}
+
 std::vector<double> amplifierVoltages (const OutputRouting& routing)
 {
     std::vector<double> volts;

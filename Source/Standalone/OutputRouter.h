@@ -53,6 +53,9 @@ OutputRouting withOutput (OutputRouting, int ceramic, int output);
 /** The same with the monitor on another pair, or on none; whatever had those outputs loses them. [any] */
 OutputRouting withMonitor (OutputRouting, int firstOutput);
 
+/** The same with this marker; whatever had its output loses it. [any] */
+OutputRouting withMarker (OutputRouting, const SyncMarker&);
+
 /** The volts of a full-scale sample at the output of each ceramic; 0: the device's full scale, or no output. [any] */
 std::vector<double> amplifierVoltages (const OutputRouting&);
 

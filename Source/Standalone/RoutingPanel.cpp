@@ -4,6 +4,7 @@
 
 #include <Editor/EditorLook.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_base/Prefixes.h>
 
 #include <algorithm>
 #include <utility>
@@ -159,7 +160,21 @@ RoutingPanel::RoutingPanel (AudioHost& hostToUse) : host (hostToUse)
         host.setRouting (withMonitor (host.settings().routing, chosen == noMonitor ? OutputRouting::none : chosen - 1));
     };
 
-    for (auto* const child : std::initializer_list<juce::Component*> { &viewport, &monitorName, &monitor, &straight })
+    markerName.setFont (EditorLook::font (EditorLook::smallTextHeight));
+    markerOutput.onChange = [this] { changeMarker(); };
+    markerLevel.setTooltip ("Height of the pulse, % of full scale");
+    markerLength.setTooltip ("How long the pulse lasts, ms");
+
+    for (auto* const editor : { &markerLevel, &markerLength })
+    {
+        editor->setFont (EditorLook::font (EditorLook::smallTextHeight));
+        editor->setJustification (juce::Justification::centredLeft);
+        editor->setInputRestrictions (8, "0123456789.,%ms ");
+        editor->onReturnKey = editor->onFocusLost = [this] { changeMarker(); };
+    }
+
+    for (auto* const child : std::initializer_list<juce::Component*> {
+             &viewport, &monitorName, &monitor, &straight, &markerName, &markerOutput, &markerLevel, &markerLength })
         addAndMakeVisible (child);
 
     // Fingers have no probes.
@@ -178,8 +193,9 @@ void RoutingPanel::update()
     const auto channels = device != nullptr ? device->getOutputChannelNames().size() : 0;
     const auto& routing = host.settings().routing;
     const auto used = *std::max_element (routing.outputs.begin(), routing.outputs.begin() + std::max (1, ceramics)) + 1;
-    const auto outputs = std::clamp (std::max ({ channels, ceramics, used, routing.monitor + OutputRouting::monitors }),
-                                     0, OutputRouting::maximumOutputs);
+    const auto outputs = std::clamp (
+        std::max ({ channels, ceramics, used, routing.monitor + OutputRouting::monitors, routing.marker.output + 1 }),
+        0, OutputRouting::maximumOutputs);
 
     const auto isOtherDevice = std::exchange (shownModel, model) != model;
 
@@ -194,6 +210,41 @@ void RoutingPanel::update()
 
     monitor.setSelectedId (routing.monitor == OutputRouting::none ? noMonitor : routing.monitor + 1,
                            juce::dontSendNotification);
+    updateMarker();
+}
+
+void RoutingPanel::updateMarker()
+{
+    const auto& marker = host.settings().routing.marker;
+    markerOutput.setSelectedId (marker.output == OutputRouting::none ? noOutput : marker.output + 1,
+                                juce::dontSendNotification);
+    const auto show = [] (juce::TextEditor& editor, double value, const char* unit)
+    {
+        if (! editor.hasKeyboardFocus (true))
+            editor.setText (juce::String (inWords (value)) + unit, false);
+    };
+    show (markerLevel, 100 * marker.level, " %");
+    show (markerLength, milli * marker.seconds, " ms");
+    markerLevel.setEnabled (marker.output != OutputRouting::none);
+    markerLength.setEnabled (marker.output != OutputRouting::none);
+}
+
+/** What is out of range stays as it was. */
+void RoutingPanel::changeMarker()
+{
+    constexpr double longest = 1; // s
+    auto marker = host.settings().routing.marker;
+    const auto typed = [] (const juce::TextEditor& editor, const char* unit, double scale, double most, double before)
+    {
+        const auto value = typedNumber (editor.getText().trim().toStdString(), { unit }).value_or (-1) / scale;
+        return value > 0 && value <= most ? value : before;
+    };
+    marker.output = markerOutput.getSelectedId() == noOutput ? OutputRouting::none : markerOutput.getSelectedId() - 1;
+    marker.level = typed (markerLevel, "%", 100, 1, marker.level);
+    marker.seconds = typed (markerLength, "ms", milli, longest, marker.seconds);
+
+    if (marker != host.settings().routing.marker)
+        host.setRouting (withMarker (host.settings().routing, marker));
 }
 
 void RoutingPanel::makeRows (int ceramics, int outputs)
@@ -209,9 +260,14 @@ void RoutingPanel::makeRows (int ceramics, int outputs)
 
     monitor.clear (juce::dontSendNotification);
     monitor.addItem ("none", noMonitor);
+    markerOutput.clear (juce::dontSendNotification);
+    markerOutput.addItem ("none", noOutput);
 
     for (int i = 0; i + 1 < outputs; ++i)
         monitor.addItem (juce::String (i + 1) + " and " + juce::String (i + 2), i + 1);
+
+    for (int i = 0; i < outputs; ++i)
+        markerOutput.addItem (juce::String (i + 1), i + 1);
 
     resized();
 }
@@ -246,6 +302,13 @@ void RoutingPanel::resized()
     foot.removeFromRight (panelMargin);
     monitor.setBounds (foot.removeFromRight (110));
     monitorName.setBounds (foot);
+    auto last = area.removeFromBottom (panelRowHeight).reduced (0, 2);
+    markerLength.setBounds (last.removeFromRight (voltsWidth));
+    last.removeFromRight (gap);
+    markerLevel.setBounds (last.removeFromRight (voltsWidth));
+    last.removeFromRight (gap);
+    markerOutput.setBounds (last.removeFromRight (outputWidth));
+    markerName.setBounds (last);
     area.removeFromBottom (panelMargin);
     viewport.setBounds (area);
     list.setSize (area.getWidth() - viewport.getScrollBarThickness() - panelMargin / 2,

@@ -44,7 +44,7 @@ private:
     LevelBar level;
 };
 
-/** Selects output and amplifier of each ceramic, and the monitor outputs. */
+/** Selects output and amplifier of each ceramic, the monitor outputs, and that of the marker. */
 class RoutingPanel final : public juce::Component, private juce::Timer
 {
 public:
@@ -61,10 +61,15 @@ private:
     void timerCallback() override;
     void makeRows (int ceramics, int outputs);
     void forgetLevels();
+    void updateMarker();
+    void changeMarker();
 
     AudioHost& host;
     juce::Label monitorName { {}, "Probe velocities on outputs" };
     juce::ComboBox monitor;
+    juce::Label markerName { {}, "Pulse at each focus on output" };
+    juce::ComboBox markerOutput;
+    juce::TextEditor markerLevel, markerLength;
     juce::TextButton straight { "One to one" };
     juce::Viewport viewport;
     juce::Component list;

@@ -236,19 +236,13 @@ namespace
 /** A ceramic that had the marker's output loses it. */
 void takeMarker (AudioHost& host, const StandaloneOptions& options)
 {
-    auto routing = host.settings().routing;
-    auto& marker = routing.marker;
+    auto marker = host.settings().routing.marker;
     marker.output = options.markerOutput ? *options.markerOutput - 1 : marker.output;
     marker.level = options.markerLevel.value_or (marker.level);
     marker.seconds = options.markerMilliseconds ? *options.markerMilliseconds / milli : marker.seconds;
 
-    if (routing == host.settings().routing)
-        return;
-
-    if (marker.output != OutputRouting::none)
-        std::replace (routing.outputs.begin(), routing.outputs.end(), marker.output, OutputRouting::none);
-
-    host.setRouting (routing);
+    if (marker != host.settings().routing.marker)
+        host.setRouting (withMarker (host.settings().routing, marker));
 }
 } // namespace
 

@@ -40,6 +40,20 @@ TEST_CASE ("monitor and ceramics never share an output")
     CHECK_NOTHROW (validate (routing));
 }
 
+TEST_CASE ("a marker takes its output from a ceramic or the monitor, and each of them takes it back")
+{
+    auto routing = withMarker (withMonitor (straightRouting(), 8), { 3, 0.5, 0.005 });
+    CHECK (routing.outputs[3] == OutputRouting::none);
+    CHECK (routing.monitor == 8);
+    CHECK_NOTHROW (validate (routing));
+    routing = withMarker (routing, { 9, 0.5, 0.005 });
+    CHECK (routing.monitor == OutputRouting::none);
+    CHECK_NOTHROW (validate (routing));
+    CHECK (withOutput (routing, 0, 9).marker.output == OutputRouting::none);
+    CHECK (withMonitor (routing, 8).marker.output == OutputRouting::none);
+    CHECK (withMarker (routing, { OutputRouting::none }).outputs == routing.outputs);
+}
+
 TEST_CASE ("a routing with an output that is used twice is refused")
 {
     auto routing = straightRouting();
