@@ -4,6 +4,7 @@
 #include <antinode_focus/Tolerance.h>
 #include <antinode_identification/Identification.h>
 #include <antinode_identification/IdentifiedModel.h>
+#include <antinode_identification/Wiring.h>
 #include <antinode_learning/Retuning.h>
 #include <antinode_model/ShapeInterpolation.h>
 #include <antinode_structure/DeviceDescription.h>
@@ -285,6 +286,35 @@ std::vector<Eigen::Index> numbersOf (const std::vector<Eigen::Vector2d>& places)
     return numbers;
 }
 } // namespace
+
+TEST_CASE ("Wrong wires of the plate of solid elements are named by its drawing, right ones are not",
+           "[identification][solid]")
+{
+    const auto points = GENERATE (std::vector<Eigen::Vector2d> { { 30, 20 } },
+                                  std::vector<Eigen::Vector2d> { { 30, 20 }, { 80, 30 }, { 50, 60 } });
+    // A drawing of other materials: its frequencies are 9 % too high.
+    const auto stretch = GENERATE (1.0, 1.09);
+    auto drawing = drawn (solidCases()[0]);
+    drawing.angularFrequencies *= stretch;
+    auto responses = responsesOfSolid (numbersOf (points));
+    CHECK (checkWiring (drawing, responses).empty());
+
+    std::swap (responses.values[1], responses.values[4]);
+    responses.values[2] *= -1;
+    responses.values[0] *= 0.01;
+    const auto findings = checkWiring (drawing, responses);
+    CAPTURE (points.size(), stretch);
+    REQUIRE (findings.size() == 4);
+    CHECK (findings[0].kind == WireFinding::Kind::dead);
+    CHECK (findings[1].kind == WireFinding::Kind::exchanged);
+    CHECK (findings[1].ceramic == 4);
+    CHECK (findings[2].kind == WireFinding::Kind::reversed);
+    CHECK (findings[2].output == 2);
+    CHECK (findings[3].kind == WireFinding::Kind::exchanged);
+    CHECK (findings[3].ceramic == 1);
+    CHECK (wireInWords (findings[1])
+           == "Output 2 answers as ceramic 5: connect each output to the ceramic of its number.");
+}
 
 TEST_CASE ("A focus that is designed from the drawing is there on the plate of solid elements", "[structure][solid]")
 {

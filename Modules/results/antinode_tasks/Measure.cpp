@@ -74,7 +74,7 @@ MeasuredSurface measureOnBench (const MeasureRequest& request, const PointGuide&
     const MeasurementFolder folder (request.folder, sheet, request.points);
     RunAnalysisSettings analysis;
     analysis.latency = request.latency * request.excitation.sampleRate;
-    auto measurement = measurePoints (*bench, sheet, request.points, folder, guide, analysis);
+    auto measurement = measurePoints (*bench, sheet, request.points, folder, guide, analysis, model);
     OutputFolder output (request.folder);
     output.write ("responses.uff", encodeUniversalFile (responseSets (measurement.responses)));
     output.write ("report.html", renderReport (measurementReport (measurement, sheet)));

@@ -2,6 +2,7 @@
 
 #include <antinode_documents/Library.h>
 #include <antinode_documents/MeasuredDevice.h>
+#include <antinode_identification/Wiring.h>
 #include <antinode_responses/MeasurementReader.h>
 #include <antinode_text/NaturalOrder.h>
 
@@ -54,6 +55,9 @@ RetunedDevice retune (const RetuneRequest& request, const ShowProgress&)
         measured.responses.drive = DriveQuantity::voltage;
         measured.remarks.emplace_back ("Forces excite the surface: 1 N counts as 1 V of the device.");
     }
+
+    for (const auto& found : checkWiring (model, measured.responses))
+        measured.remarks.push_back (wireInWords (found));
 
     auto retuned = retune (model, measured.responses, request.spread, request.placeDeviation);
 

@@ -8,6 +8,7 @@
 #include <antinode_base/Watch.h>
 #include <antinode_base/WholeFile.h>
 #include <antinode_documents/ExcitationFile.h>
+#include <antinode_identification/Wiring.h>
 #include <antinode_responses/PointResponseFile.h>
 #include <antinode_text/CsvText.h>
 
@@ -141,6 +142,7 @@ struct Measuring
     const Eigen::MatrixX2d& points;
     const PointGuide& guide;
     const RunAnalysisSettings& settings;
+    const ModalModel& drawn;
     TimeLeft left {}; ///< From the first point that is measured.
 };
 
@@ -250,9 +252,16 @@ Eigen::Index pointsTogether (const Bench& bench, const MeasurementFolder& folder
     return end - first;
 }
 
+/** While a wrong wire is still easily changed, and once more when all is known. */
+void tellWiring (const Measuring& measuring, const SurfaceMeasurement& measurement)
+{
+    for (const auto& found : checkWiring (measuring.drawn, measurement.responses))
+        measuring.guide.tell ("wiring: " + wireInWords (found));
+}
+
 SurfaceMeasurement measureAll (const Measuring& measuring, const MeasurementFolder& folder)
 {
-    const auto& [bench, sheet, points, guide, settings, left] = measuring;
+    const auto& [bench, sheet, points, guide, settings, drawn, left] = measuring;
     auto measurement = unmeasured (sheet.excitation, sheet.ceramics, points);
     Eigen::Index before = -1;
     bool isChecked = false;
@@ -283,6 +292,9 @@ SurfaceMeasurement measureAll (const Measuring& measuring, const MeasurementFold
 
             if (measureAt (measuring, measurement, first, count))
             {
+                if (before < 0 && count < points.rows())
+                    tellWiring (measuring, measurement);
+
                 for (auto p = first; p < first + count; ++p)
                     folder.keep (measurement, p);
 
@@ -295,6 +307,7 @@ SurfaceMeasurement measureAll (const Measuring& measuring, const MeasurementFold
         }
     }
 
+    tellWiring (measuring, measurement);
     return measurement;
 }
 } // namespace
@@ -314,13 +327,13 @@ Excitation levelCheckExcitation (const ExcitationSheet& sheet)
 
 SurfaceMeasurement measurePoints (Bench& bench, const ExcitationSheet& sheet, const Eigen::MatrixX2d& points,
                                   const MeasurementFolder& folder, const PointGuide& guide,
-                                  const RunAnalysisSettings& settings)
+                                  const RunAnalysisSettings& settings, const ModalModel& drawn)
 {
     const auto kept = static_cast<double> (pointsKept (folder, points.rows()));
 
     try
     {
-        return measureAll ({ bench, sheet, points, guide, settings,
+        return measureAll ({ bench, sheet, points, guide, settings, drawn,
                              TimeLeft (kept / static_cast<double> (std::max<Eigen::Index> (1, points.rows()))) },
                            folder);
     }

@@ -85,9 +85,11 @@ Excitation levelCheckExcitation (const ExcitationSheet&);
 /** Measures all points that are not kept yet: checks levels first, leads from point to point, keeps each when it is
    finished.
     @param settings  of the analysis; the latency for benches without a sync channel
+    @param drawn     says which wires are wrong, after the first point and at the end
     @return          all that is kept and measured; not a number where points were skipped
     @throws InputError  where inputs would clip or receive no signal, the user ends, or the bench cannot play; Cancelled
    where the user interrupts: what is finished is kept [worker] */
 SurfaceMeasurement measurePoints (Bench&, const ExcitationSheet&, const Eigen::MatrixX2d& points,
-                                  const MeasurementFolder&, const PointGuide&, const RunAnalysisSettings& settings);
+                                  const MeasurementFolder&, const PointGuide&, const RunAnalysisSettings& settings,
+                                  const ModalModel& drawn);
 } // namespace antinode
