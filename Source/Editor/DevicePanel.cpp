@@ -58,6 +58,7 @@ DevicePanel::DevicePanel (DeviceDraft& draftToEdit) : draft (draftToEdit)
     makeEdges();
     makeCeramics();
     makePlacing();
+    makeSearch();
     makePoints();
 }
 
@@ -136,7 +137,7 @@ juce::String DevicePanel::modeText() const
            + ", Q " + juce::String (juce::roundToInt (0.5 / model.dampingRatios[*mode]));
 }
 
-void DevicePanel::refresh (std::shared_ptr<const DraftPicture> newest)
+void DevicePanel::refresh (std::shared_ptr<const DraftPicture> newest, const PlaceProgress& searched)
 {
     const auto isOther = std::exchange (picture, newest) != newest;
 
@@ -145,6 +146,8 @@ void DevicePanel::refresh (std::shared_ptr<const DraftPicture> newest)
         modeName.setText (modeText(), juce::dontSendNotification);
         repaint();
     }
+
+    showSearch (searched);
 
     if (seenChange == draft.changes() && seenCeramics == draft.ceramics && seenPoint == draft.point
         && seenEdge == draft.edge)
@@ -161,7 +164,10 @@ void DevicePanel::refresh (std::shared_ptr<const DraftPicture> newest)
         row->setVisible (isDrawn && row->refresh());
 
     for (auto& button : buttons)
-        button->setVisible (isDrawn || button->getName() == "New");
+        button->setVisible (button.get() == takeButton ? ! search.ceramics.empty()
+                                                       : isDrawn || button->getName() == "New");
+
+    searchText.setVisible (isDrawn);
 
     layOut();
     repaint();

@@ -2,6 +2,7 @@
 
 #include "DraftControls.h"
 #include "DraftView.h"
+#include "PlaceSearch.h"
 
 #include <juce_gui_basics/juce_gui_basics.h>
 
@@ -20,8 +21,14 @@ class DevicePanel final : public juce::Component
 public:
     explicit DevicePanel (DeviceDraft&);
 
+    /** Starts a search of places for the ceramics, or ends it. */
+    std::function<void (bool shouldRun)> onPlace;
+
     /** Shows what has changed. @param picture  the newest one, or none */
-    void refresh (std::shared_ptr<const DraftPicture> picture);
+    void refresh (std::shared_ptr<const DraftPicture> picture, const PlaceProgress&);
+
+    /** Puts the ceramics where they were found to be better. */
+    void takePlaces();
 
     /** The mode that is shown, from 0; none: the surface at rest. */
     std::optional<int> mode() const { return shownMode; }
@@ -80,6 +87,8 @@ private:
     void makeEdges();
     void makeCeramics();
     void makePlacing();
+    void makeSearch();
+    void showSearch (const PlaceProgress&);
     void makePoints();
     void chooseTemplate (juce::Component& at);
     void chooseFile();
@@ -94,7 +103,9 @@ private:
     std::vector<std::unique_ptr<DraftRow>> rows;
     std::vector<std::unique_ptr<juce::TextButton>> buttons;
     std::vector<Section> sections;
-    juce::Label deviceName, modeName;
+    juce::Label deviceName, modeName, searchText;
+    juce::TextButton *searchButton = nullptr, *takeButton = nullptr;
+    PlaceProgress search;
     juce::TextButton modeBefore, modeAfter;
     Page page;
     juce::Viewport viewport;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace antinode
@@ -489,6 +490,57 @@ void DevicePanel::makePlacing()
                [this, like, kind]
                { draft.apply (withRing (draft.document(), kind(), like(), countOfRow, distanceOfRow)); });
     sections.push_back (std::move (section));
+}
+
+void DevicePanel::makeSearch()
+{
+    Section section { "Better places for the ceramics", {}, {} };
+    searchText.setFont (EditorLook::font (EditorLook::smallTextHeight));
+    searchText.setBorderSize ({});
+    searchText.setMinimumHorizontalScale (0.7f);
+    searchText.setTitle ("Search of places");
+    page.addChildComponent (searchText);
+    section.rows.push_back (&searchText);
+    searchButton = &addButton (section, "Place for me",
+                               "Searches the places from which the ceramics reach the present focus with least voltage",
+                               [this] { onPlace (! search.isRunning); });
+    takeButton =
+        &addButton (section, "Take these", "Puts the ceramics at the places that were found", [this] { takePlaces(); });
+    sections.push_back (std::move (section));
+}
+
+void DevicePanel::takePlaces()
+{
+    std::vector<Eigen::Vector2d> places;
+
+    for (const auto& ceramic : search.ceramics)
+        places.push_back (1000 * ceramic.centre());
+
+    if (! places.empty())
+        draft.apply (withPlaces (draft.document(), places));
+}
+
+/** What was found for another device is void. */
+void DevicePanel::showSearch (const PlaceProgress& searched)
+{
+    const auto hadPlaces = ! search.ceramics.empty();
+    search = searched;
+
+    if (search.device != draft.device())
+        search = {};
+
+    const auto volts = [] (double value)
+    { return std::isfinite (value) ? juce::String (juce::roundToInt (value)) + " V" : juce::String ("out of reach"); };
+    searchButton->setButtonText (search.isRunning ? "Stop" : "Place for me");
+    searchText.setText (search.isRunning ? "Searching: " + juce::String (juce::roundToInt (100 * search.share)) + " %"
+                        : ! search.ceramics.empty()
+                            ? fromUtf8 ("\xE2\x89\x88 ") + volts (search.voltsNow) + " today, "
+                                  + fromUtf8 ("\xE2\x89\x88 ") + volts (search.voltsThere) + " there"
+                            : fromUtf8 (search.error),
+                        juce::dontSendNotification);
+
+    if (hadPlaces != ! search.ceramics.empty())
+        seenChange = -1; // Lays the buttons out.
 }
 
 void DevicePanel::addPoint (double stiffness, double mass)

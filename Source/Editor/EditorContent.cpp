@@ -106,6 +106,7 @@ EditorContent::EditorContent (AntinodeProcessor& processorToShow)
     commands.onRedo = [this] { redo(); };
     surfaceView.onFire = [this] { fire(); };
     surfaceView.fingers().say = draft.say = [this] (const juce::String& sentence) { status.say (sentence); };
+    device.onPlace = [this] (bool shouldRun) { searchPlaces (shouldRun); };
     browser->onClose = [this] { browse (std::nullopt); };
 
     for (juce::Component* const child :
@@ -226,6 +227,19 @@ void EditorContent::showBank()
     shownVolts = std::move (volts);
 }
 
+void EditorContent::searchPlaces (bool shouldRun)
+{
+    const auto now = processor.session().snapshot();
+
+    if (! shouldRun || now->model == nullptr || ! askedDraft)
+        return places->stop();
+
+    places->ask ({ draft.device(),
+                   withSettings (processor.focus()->description, processor.parameters().settings(),
+                                 deviceExtent (draft.device()->description)),
+                   askedDraft->playback });
+}
+
 /** The device is drawn while its panel is shown. */
 void EditorContent::showDraft()
 {
@@ -262,7 +276,7 @@ void EditorContent::showDraft()
         drawing.show (draftPicture);
     }
 
-    device.refresh (draftPicture);
+    device.refresh (draftPicture, places->progress());
     drawing.refresh();
 }
 

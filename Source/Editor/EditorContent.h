@@ -15,6 +15,7 @@
 #include "Meters.h"
 #include "Panels.h"
 #include "ParameterPanel.h"
+#include "PlaceSearch.h"
 #include "Presets.h"
 
 #include <antinode_session/SessionOwner.h>
@@ -50,6 +51,9 @@ public:
     /** What the device's panel shows; none: it is not shown yet. */
     std::shared_ptr<const DraftPicture> draftShown() const { return draftPicture; }
 
+    /** How far the search of places for its ceramics is. */
+    PlaceProgress placesFound() const { return places->progress(); }
+
     /** A tab of its own, unless a window around shows it. */
     SettingsPanel& settingsPanel() { return settings; }
     void leaveSettingsToWindow();
@@ -82,6 +86,7 @@ private:
     void showModel();
     void showBank();
     void showDraft();
+    void searchPlaces (bool shouldRun);
     void layOut (juce::Rectangle<int>) override;
     void setLayout (Layout);
     void layOutNarrow (juce::Rectangle<int>);
@@ -100,6 +105,7 @@ private:
     DeviceDraft draft;
     SessionThread<DesignView> designs;
     SessionThread<DraftView> drafts;
+    SessionThread<PlaceSearch> places;
     FocusCommands commands;
     FocusSurface surfaceView;
     DeviceSurface drawing; ///< In place of the other surface while the device is shown.

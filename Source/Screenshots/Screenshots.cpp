@@ -135,7 +135,6 @@ void takeDevice (const juce::File& file, int width, int height, bool isDark)
     constexpr int mode = 4;
     content.devicePanel().showMode (mode);
     auto& draft = content.deviceDraft();
-    draft.apply (withPoint (draft.document(), 0, { { 110, 40 }, 0, 10 }));
     draft.ceramics = { 1 };
     refreshUntil (content, [&] { return content.isSettled() && content.draftShown()->question.mode == mode; });
     draft.drag (withShifted (draft.document(), draft.ceramics, { 0, -5.5 }));

@@ -320,3 +320,43 @@ TEST_CASE ("A device whose modes are given is not drawn, and says so by what its
     test.content().refresh (0);
     CHECK (test.content().devicePanel().find<DraftNumber> ("Length") != nullptr);
 }
+
+TEST_CASE ("The search of places says what the focus needs now and there, and its places are taken as one edit",
+           "[draft]")
+{
+    DrawnFixture test ("rectangle");
+    auto& draft = test.draft();
+    auto& panel = test.content().devicePanel();
+    draft.removeCeramics ({ 2, 3, 4, 5, 6, 7, 8, 9 });
+    auto corner = draft.document();
+
+    // Both in a corner: anything is better.
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+        auto ceramic = ceramicsOf (corner)[i];
+        ceramic.centre = { 8 + 14 * static_cast<double> (i), 8 };
+        corner = withCeramic (corner, i, ceramic);
+    }
+
+    draft.apply (corner);
+    test.settle();
+    const auto before = test.stateText();
+    panel.onPlace (true);
+    test.waitUntil ([&] { return ! test.content().placesFound().isRunning; });
+    const auto found = test.content().placesFound();
+    INFO (found.error);
+    REQUIRE (found.ceramics.size() == 2);
+    CHECK (found.voltsThere < 0.8 * found.voltsNow);
+    CHECK (test.stateText() == before); // Nothing is taken before the user takes it.
+    panel.takePlaces();
+    CHECK (ceramicsOf (test.device()).front().centre.isApprox (1000 * found.ceramics.front().centre(), 1e-5));
+    test.content().history().undo();
+    CHECK (test.stateText() == before);
+
+    // One that is stopped finds nothing.
+    test.content().refresh (0);
+    panel.onPlace (true);
+    panel.onPlace (false);
+    test.content().refresh (0);
+    CHECK (test.content().placesFound().ceramics.empty());
+}

@@ -197,6 +197,19 @@ Json withMoreCeramic (Json device, const DrawnCeramic& wanted, std::size_t like)
     return device;
 }
 
+Json withPlaces (Json device, const std::vector<Eigen::Vector2d>& places)
+{
+    auto all = ceramicsOf (device);
+
+    for (std::size_t i = 0; i < std::min (all.size(), places.size()); ++i)
+    {
+        all[i].centre = places[i];
+        device = withCeramic (std::move (device), i, all[i]);
+    }
+
+    return device;
+}
+
 Json withoutCeramics (Json device, const CeramicChoice& chosen)
 {
     auto& ceramics = device["ceramics"];

@@ -36,6 +36,9 @@ nlohmann::json withCeramic (nlohmann::json device, std::size_t index, const Draw
 /** A device with one more. @param like  which one it is made like; where there is none, a thin one of NCE51 */
 nlohmann::json withMoreCeramic (nlohmann::json device, const DrawnCeramic&, std::size_t like);
 
+/** The same ceramics at other places. @param places  one for each, of its middle, mm */
+nlohmann::json withPlaces (nlohmann::json device, const std::vector<Eigen::Vector2d>& places);
+
 nlohmann::json withoutCeramics (nlohmann::json device, const CeramicChoice&);
 
 /** The same ceramics shifted. */
