@@ -81,8 +81,9 @@ juce::String playedFigures (AntinodeProcessor& processor)
 
 EditorContent::EditorContent (AntinodeProcessor& processorToShow)
     : WindowContent ("Antinode", { { 800, 500, 1700, 1000 }, 1280, 800, 60, 48 }), processor (processorToShow),
-      past (processor), presets (processor, past), commands (bar, processor, past), surfaceView (processor, past),
-      section ("Section along x"), spectrum ("Modal spectrum"), felt ("Sensation level over the whole event"),
+      past (processor), presets (processor, past), draft (processor, past), commands (bar, processor, past),
+      surfaceView (processor, past), drawing (processor, draft), section ("Section along x"),
+      spectrum ("Modal spectrum"), felt ("Sensation level over the whole event"),
       voltages ("Voltages with their limits"), methods ("Peak voltage by several methods"),
       bank ("Peak voltage of the notes' places"), probe (processor.session().probeTrace()),
       drift ({ processor.session().following(), [this] { return processor.session().snapshot()->model; },
@@ -91,7 +92,8 @@ EditorContent::EditorContent (AntinodeProcessor& processorToShow)
                [this] { past.resetDrift(); } }),
       settings ({ [this] { return processor.session().isGraphOpen(); },
                   [this] (bool isOpen) { processor.session().setGraphOpen (isOpen); } }),
-      parameters (processor), meters (processor, past), browser (std::make_unique<PresetPanel> (presets))
+      parameters (processor), device (draft), meters (processor, past),
+      browser (std::make_unique<PresetPanel> (presets))
 {
     setWantsKeyboardFocus (true);
     setFocusContainerType (FocusContainerType::keyboardFocusContainer);
@@ -103,13 +105,15 @@ EditorContent::EditorContent (AntinodeProcessor& processorToShow)
     commands.onUndo = [this] { undo(); };
     commands.onRedo = [this] { redo(); };
     surfaceView.onFire = [this] { fire(); };
-    surfaceView.fingers().say = [this] (const juce::String& sentence) { status.say (sentence); };
+    surfaceView.fingers().say = draft.say = [this] (const juce::String& sentence) { status.say (sentence); };
+    device.onPlace = [this] (bool shouldRun) { searchPlaces (shouldRun); };
     browser->onClose = [this] { browse (std::nullopt); };
 
-    for (juce::Component* const child : std::initializer_list<juce::Component*> {
-             &surfaceView, &section, &time, &parameterView, &upper, &lower, &meters })
+    for (juce::Component* const child :
+         std::initializer_list<juce::Component*> { &surfaceView, &section, &time, &left, &upper, &lower, &meters })
         addAndMakeVisible (child);
 
+    addChildComponent (drawing);
     addChildComponent (*browser);
     begin();
 }
@@ -124,6 +128,12 @@ void EditorContent::refresh (double seconds)
     askForPicture();
     showPicture();
     showBank();
+    showDraft();
+
+    // A tab that was not shown has had no place before.
+    if (std::exchange (laidOutFor, parameterView.getBounds()) != parameterView.getBounds())
+        layOutParameters();
+
     time.advance (seconds);
     surfaceView.setFrame (time.frame());
     surfaceView.refresh();
@@ -217,13 +227,66 @@ void EditorContent::showBank()
     shownVolts = std::move (volts);
 }
 
+void EditorContent::searchPlaces (bool shouldRun)
+{
+    const auto now = processor.session().snapshot();
+
+    if (! shouldRun || now->model == nullptr || ! askedDraft)
+        return places->stop();
+
+    places->ask ({ draft.device(),
+                   withSettings (processor.focus()->description, processor.parameters().settings(),
+                                 deviceExtent (draft.device()->description)),
+                   askedDraft->playback });
+}
+
+/** The device is drawn while its panel is shown. */
+void EditorContent::showDraft()
+{
+    const auto isShown = device.isVisible();
+    drawing.setVisible (isShown);
+    surfaceView.setVisible (! isShown);
+    time.setVisible (! isShown);
+    draft.refresh();
+
+    if (! isShown)
+        return;
+
+    const auto now = processor.session().snapshot();
+    const auto isExact = ! draft.isEdited() && ! now->isSolving && now->model != nullptr && now->device != nullptr
+                         && now->device->text == draft.device()->text;
+    auto playback = now->playback;
+
+    if (! (playback.sampleRate > 0))
+        playback = { Reconstruction::bandLimited, usualRate };
+
+    DraftQuestion question { draft.device(),    isExact ? now->model : nullptr,
+                             processor.focus(), processor.parameters().settings(),
+                             playback,          device.mode() };
+
+    if (! askedDraft || ! (*askedDraft == question))
+    {
+        askedDraft = question;
+        drafts->ask (std::move (question));
+    }
+
+    if (auto newest = drafts->picture(); newest != draftPicture)
+    {
+        draftPicture = std::move (newest);
+        drawing.show (draftPicture);
+    }
+
+    device.refresh (draftPicture, places->progress());
+    drawing.refresh();
+}
+
 bool EditorContent::isSettled() const
 {
     const auto now = processor.session().snapshot();
     const auto isShown =
         picture != nullptr && asked && picture->question == *asked && picture->stage == DesignPicture::Stage::complete;
     return ! now->isSolving && now->model != nullptr && now->device->text == processor.device()->text && isShown
-           && designs->isDone();
+           && designs->isDone() && drafts->isDone() && draftPicture == drafts->picture();
 }
 
 void EditorContent::fire()
@@ -270,7 +333,9 @@ void EditorContent::showPanel (const juce::String& name)
 {
     const auto isLower =
         layout == Layout::wide && (name == "Voltages" || name == "Methods" || name == "Bank" || name == "Scores");
-    (isLower ? lower : upper).show (name);
+    const auto isLeft = layout == Layout::wide && (name == "Controls" || name == "Device");
+    (isLower ? lower : isLeft ? left : upper).show (name);
+    refresh (0);
 }
 
 bool EditorContent::keyPressed (const juce::KeyPress& key)
@@ -317,13 +382,20 @@ bool EditorContent::handleShortcut (const juce::KeyPress& key)
 
 bool EditorContent::isInterestedInFileDrag (const juce::StringArray& files)
 {
-    return files.size() == 1 && files[0].endsWithIgnoreCase (".json");
+    return files.size() == 1
+           && (files[0].endsWithIgnoreCase (".json") || files[0].endsWithIgnoreCase (".svg")
+               || files[0].endsWithIgnoreCase (".dxf"));
 }
 
 void EditorContent::filesDropped (const juce::StringArray& files, int, int)
 {
-    if (isInterestedInFileDrag (files))
+    if (! isInterestedInFileDrag (files))
+        return;
+
+    if (files[0].endsWithIgnoreCase (".json"))
         status.say (presets.loadFile (files[0].toStdString()));
+    else
+        draft.takeOutline (files[0].toStdString());
 }
 
 void installEditor()
@@ -363,9 +435,11 @@ void EditorContent::setLayout (Layout wanted)
         ofBank { "Bank", "What the foci of the notes' places need, over the surface.", &bank },
         ofDrift { "Drift", "The sensor that follows the drift of the device, and what it says.", &drift },
         ofScores { "Scores", "Scores of the focus, warnings and choices.", &scores },
-        ofControls { "Controls", "All parameters.", &parameterView };
+        ofControls { "Controls", "All parameters.", &parameterView },
+        ofDevice { "Device", "The device itself: drawn, changed and solved.", &device };
     std::vector<PanelGroup::Panel> ofUpper { ofSpectrum, ofFelt, ofProbe, ofDrift },
         ofLower { ofVoltages, ofMethods, ofBank, ofScores };
+    left.setPanels ({});
     upper.setPanels ({});
     lower.setPanels ({});
 
@@ -374,17 +448,18 @@ void EditorContent::setLayout (Layout wanted)
 
     if (wanted == Layout::wide)
     {
-        addAndMakeVisible (parameterView);
+        left.setPanels ({ ofControls, ofDevice });
         upper.setPanels (ofUpper);
         lower.setPanels (ofLower);
     }
     else
     {
-        ofUpper.insert (ofUpper.begin(), ofControls);
+        ofUpper.insert (ofUpper.begin(), { ofControls, ofDevice });
         ofUpper.insert (ofUpper.end(), ofLower.begin(), ofLower.end());
         upper.setPanels (ofUpper);
     }
 
+    left.setVisible (wanted == Layout::wide);
     lower.setVisible (wanted == Layout::wide);
 }
 
@@ -418,7 +493,7 @@ void EditorContent::layOutNarrow (juce::Rectangle<int> area)
 void EditorContent::layOutWide (juce::Rectangle<int> area)
 {
     setLayout (Layout::wide);
-    parameterView.setBounds (area.removeFromLeft (parametersWidth));
+    left.setBounds (area.removeFromLeft (parametersWidth));
     area.removeFromLeft (gap);
     auto right = area.removeFromRight (area.getWidth() * 21 / 50);
     area.removeFromRight (gap);
@@ -436,6 +511,7 @@ void EditorContent::layOutSurface (juce::Rectangle<int> area)
     if (section.isVisible())
         section.setBounds (area.removeFromBottom (left));
 
+    drawing.setBounds (area);
     time.setBounds (area.removeFromBottom (timeHeight));
     surfaceView.setBounds (area);
 }

@@ -3,6 +3,10 @@
 #include "ChartView.h"
 #include "ContentEditor.h"
 #include "DesignView.h"
+#include "DeviceDraft.h"
+#include "DevicePanel.h"
+#include "DeviceSurface.h"
+#include "DraftView.h"
 #include "DriftPanel.h"
 #include "FieldFrames.h"
 #include "FocusCommands.h"
@@ -11,6 +15,7 @@
 #include "Meters.h"
 #include "Panels.h"
 #include "ParameterPanel.h"
+#include "PlaceSearch.h"
 #include "Presets.h"
 
 #include <antinode_session/SessionOwner.h>
@@ -39,6 +44,15 @@ public:
     MetersStrip& metersStrip() { return meters; }
     DriftPanel& driftPanel() { return drift; }
     Timeline& timeline() { return time; }
+    DeviceDraft& deviceDraft() { return draft; }
+    DevicePanel& devicePanel() { return device; }
+    DeviceSurface& deviceSurface() { return drawing; }
+
+    /** What the device's panel shows; none: it is not shown yet. */
+    std::shared_ptr<const DraftPicture> draftShown() const { return draftPicture; }
+
+    /** How far the search of places for its ceramics is. */
+    PlaceProgress placesFound() const { return places->progress(); }
 
     /** A tab of its own, unless a window around shows it. */
     SettingsPanel& settingsPanel() { return settings; }
@@ -47,14 +61,15 @@ public:
     /** Opens the browser of a kind, or closes it. */
     void browse (std::optional<LibraryKind>);
 
-    /** Shows one of the panels at the right: "Spectrum", "Felt", "Probe", "Voltages", "Methods", "Bank", "Scores",
-        "Drift", "Settings", "Controls". */
+    /** Shows one of the panels: "Spectrum", "Felt", "Probe", "Voltages", "Methods", "Bank", "Scores",
+        "Drift", "Settings", or "Controls" and "Device". */
     void showPanel (const juce::String& name);
 
     void lookAndFeelChanged() override { commands.setPalette (look.palette()); }
     bool keyPressed (const juce::KeyPress&) override;
 
-    /** A file that is dropped on the window is loaded: a device, a focus or a written design. */
+    /** A file that is dropped on the window is loaded: a device, a focus or a written design; a drawing (SVG, DXF) is
+        the outline of the device from then on. */
     bool isInterestedInFileDrag (const juce::StringArray& files) override;
     void filesDropped (const juce::StringArray& files, int x, int y) override;
 
@@ -63,13 +78,15 @@ private:
     {
         none,
         narrow, ///< One group of panels, the parameters among them.
-        wide    ///< Parameters at the left, two groups of panels at the right.
+        wide    ///< Parameters and the device at the left, two groups of panels at the right.
     };
 
     void askForPicture();
     void showPicture();
     void showModel();
     void showBank();
+    void showDraft();
+    void searchPlaces (bool shouldRun);
     void layOut (juce::Rectangle<int>) override;
     void setLayout (Layout);
     void layOutNarrow (juce::Rectangle<int>);
@@ -85,9 +102,13 @@ private:
     AntinodeProcessor& processor;
     History past;
     Presets presets;
+    DeviceDraft draft;
     SessionThread<DesignView> designs;
+    SessionThread<DraftView> drafts;
+    SessionThread<PlaceSearch> places;
     FocusCommands commands;
     FocusSurface surfaceView;
+    DeviceSurface drawing; ///< In place of the other surface while the device is shown.
     Timeline time;
     ChartView section, spectrum, felt, voltages, methods, bank;
     ProbePanel probe;
@@ -97,14 +118,18 @@ private:
     bool hasSettings = true;
     ParameterPanel parameters;
     juce::Viewport parameterView;
-    PanelGroup upper { "Charts" }, lower { "More charts" };
+    DevicePanel device;
+    PanelGroup left { "Controls and device" }, upper { "Charts" }, lower { "More charts" };
     MetersStrip meters;
     std::unique_ptr<PresetPanel> browser;
     Layout layout = Layout::none;
     bool wasArmed = false;
+    juce::Rectangle<int> laidOutFor; ///< Of the parameters.
     std::shared_ptr<const ModalModel> model;
     std::shared_ptr<const DesignPicture> picture;
     std::optional<DesignQuestion> asked;
+    std::optional<DraftQuestion> askedDraft;
+    std::shared_ptr<const DraftPicture> draftPicture;
     std::optional<std::vector<PlaceVolts>> shownVolts; ///< Of the bank that is shown.
 };
 

@@ -52,6 +52,12 @@ BarChart amplitudeChart (const Eigen::VectorXd& largest)
 }
 } // namespace
 
+Chart motionChart (const ModalModel& model, const FieldFrames& frames)
+{
+    return model.surface.kind == SurfaceKind::line ? Chart (lineChart (model, frames))
+                                                   : Chart (plateMap (model, frames));
+}
+
 void MotionView::leave()
 {
     const std::lock_guard lock (mutex);
@@ -134,9 +140,7 @@ void MotionView::show (std::shared_ptr<const ModalModel> model, FieldFrames fram
                        double step)
 {
     auto made = std::make_shared<MotionPicture>();
-    made->field =
-        std::make_shared<const Chart> (model->surface.kind == SurfaceKind::line ? Chart (lineChart (*model, frames))
-                                                                                : Chart (plateMap (*model, frames)));
+    made->field = std::make_shared<const Chart> (motionChart (*model, frames));
     made->model = std::move (model);
     made->frames = std::make_shared<const FieldFrames> (std::move (frames));
     made->spectrum = std::make_shared<const Chart> (amplitudeChart (largest));

@@ -2,6 +2,7 @@
 
 #include "SurfaceView.h"
 
+#include <antinode_reports/Chart.h>
 #include <antinode_session/PlateSession.h>
 
 #include <chrono>
@@ -17,6 +18,10 @@ struct MotionPicture : SurfacePicture
     std::shared_ptr<const Chart> spectrum; ///< The largest velocity of every mode in the window.
     double step = 0;                       ///< s from one frame to the next; 0 where nothing has moved yet.
 };
+
+/** The chart of a surface that moves, or is at rest: a LineChart of a line, a HeatMap of a plate, with its ceramics.
+    [worker] */
+Chart motionChart (const ModalModel&, const FieldFrames&);
 
 /** Makes pictures of captured windows on a thread that runs it. The editor may go before the thread: both share it. */
 class MotionView

@@ -147,6 +147,7 @@ int main (int argumentCount, char* arguments[])
     for (const auto& screenshot : screenshots)
         takeEditor (screenshot, folder);
 
+    antinode::takeDevice (folder.getChildFile ("editor-device.png"), 1280, 800, true);
     antinode::takeDrift (folder.getChildFile ("editor-drift.png"));
     antinode::takePlate (folder.getChildFile ("plate-plugin.png"));
     antinode::takeTouch (folder.getChildFile ("touch-plugin.png"));

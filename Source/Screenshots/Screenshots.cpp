@@ -120,6 +120,29 @@ void takeDrift (const juce::File& file)
     writePicture (editor, file);
 }
 
+void takeDevice (const juce::File& file, int width, int height, bool isDark)
+{
+    AntinodeProcessor processor (10, juce::AudioProcessor::wrapperType_Undefined);
+    Editor editor (processor);
+    editor.setSize (width, height);
+    processor.prepareToPlay (driftRate, driftBlock);
+    processor.parameters().find ("notes")->setValueNotifyingHost (1); // no designs for unused notes
+    auto& content = editor.content();
+    content.setDark (isDark);
+    content.showPanel ("Device");
+    content.devicePanel().begin ("rounded rectangle");
+    refreshUntil (content, [&] { return processor.focus()->description.name == "suited" && content.isSettled(); });
+    constexpr int mode = 4;
+    content.devicePanel().showMode (mode);
+    auto& draft = content.deviceDraft();
+    draft.ceramics = { 1 };
+    refreshUntil (content, [&] { return content.isSettled() && content.draftShown()->question.mode == mode; });
+    draft.drag (withShifted (draft.document(), draft.ceramics, { 0, -5.5 }));
+    content.refresh (0);
+    refreshUntil (content, [&] { return content.isSettled(); });
+    writePicture (editor, file);
+}
+
 namespace
 {
 constexpr double rate = 96000;

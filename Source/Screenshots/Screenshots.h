@@ -21,6 +21,9 @@ void refreshUntil (Content& content, const IsReached& isReached)
     } while (! isReached());
 }
 
+/** Antinode, while a device is drawn, with a ceramic that is dragged too near the edge. */
+void takeDevice (const juce::File&, int width, int height, bool isDark);
+
 /** Antinode, while a drifting staple is followed. */
 void takeDrift (const juce::File&);
 

@@ -73,6 +73,10 @@ ImmersedResolution resolutionFor (const BendingProblem& problem, int count, Mode
     const auto wavelength =
         2 * pi / (expectedWaveNumber (problem, std::max (count, resolvedModes)) * shortestWaves (problem));
     const auto isHigh = accuracy == ModeAccuracy::high;
+
+    if (accuracy == ModeAccuracy::coarse)
+        return { .degree = 3, .cell = 0.25 * wavelength, .cornerCell = 0.5, .holeCell = 1, .patchCell = 1 };
+
     const auto isHeld =
         std::any_of (problem.edges.begin(), problem.edges.end(),
                      [] (const EdgeSupport& edge) { return edge.holdsDisplacement || edge.holdsSlope; });

@@ -23,8 +23,9 @@ struct ImmersedResolution
 /** What a number of modes is to be right to. */
 enum class ModeAccuracy
 {
-    usual, ///< 1e-4 of each frequency, mostly much less.
-    high   ///< 1e-5.
+    coarse, ///< Some percent, in a small part of the time: for what is being drawn.
+    usual,  ///< 1e-4 of each frequency, mostly much less.
+    high    ///< 1e-5.
 };
 
 /** [any] */

@@ -220,6 +220,11 @@ Surface deviceExtent (const DeviceDescription&);
     [worker] Docs/Theory.md, section 1. */
 ModalModel solveStructure (const DeviceDescription&, std::optional<int> modeCount = {});
 
+/** A described device with a number of modes, of a plate to some percent of their frequencies, in a small part of the
+   time: what it has while it is being drawn. A measured model as it is.
+    @throws InputError, Cancelled  as solveStructure [worker] */
+ModalModel solveCoarsely (const DeviceDescription&, int modeCount);
+
 /** The word for a device's kind, as files and tables have it: "beam", "staple", "plate" or "modal"; of a measured one
    that of its drawing. [any]
  */

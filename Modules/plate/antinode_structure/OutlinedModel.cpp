@@ -118,6 +118,18 @@ ModalModel solveOutlinedPlate (const std::string& name, const OutlinedPlate& pla
     return model;
 }
 
+ModalModel solveOutlinedCoarsely (const std::string& name, const OutlinedPlate& plate, int modeCount)
+{
+    constexpr double error = 0.02; // What most are below: Tests/Structure/CoarseModelTests.cpp.
+    requireSolvable (plate);
+    const auto solved = asSolved (plate, modeCount);
+    const auto solution = solveOutlinedModes (solved, modeCount, ModeAccuracy::coarse);
+    const OutlinedGrid grid (solution.scaled.problem, solution.waveNumber);
+    auto model = onGrid (name, plate, solved, solution, grid);
+    model.frequencyErrors = Eigen::VectorXd::Constant (model.modes(), error);
+    return model;
+}
+
 ModalModel solveOutlinedWithStaticShare (const std::string& name, const OutlinedPlate& plate,
                                          std::optional<int> modeCount)
 {

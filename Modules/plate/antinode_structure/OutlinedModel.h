@@ -9,6 +9,10 @@ namespace antinode
 /** A plate of any outline, solved and put on a grid. @throws InputError [worker] Docs/Theory.md, section 1.13. */
 ModalModel solveOutlinedPlate (const std::string& name, const OutlinedPlate&, std::optional<int> modeCount);
 
+/** The modes to some percent, in a small part of the time: what a plate has while it is being drawn.
+    @throws InputError  as solveOutlinedPlate [worker] */
+ModalModel solveOutlinedCoarsely (const std::string& name, const OutlinedPlate&, int modeCount);
+
 /** The modes, and behind them the static share of all higher ones: one shape more for every ceramic. Errors of
    frequencies are not estimated. @throws InputError  as solveOutlinedPlate, and where the modes are too few for it
     [worker] Docs/Theory.md, section 1.8. */

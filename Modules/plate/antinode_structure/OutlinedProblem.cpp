@@ -181,9 +181,9 @@ struct ResolvedModes
     ImmersedResolution resolution;
 };
 
-ResolvedModes solveFor (const OutlinedProblem& scaled, int count)
+ResolvedModes solveFor (const OutlinedProblem& scaled, int count, ModeAccuracy accuracy)
 {
-    const auto resolution = resolutionFor (scaled.problem, count, ModeAccuracy::usual);
+    const auto resolution = resolutionFor (scaled.problem, count, accuracy);
     return { bendingModes (scaled.problem, count, resolution), resolution };
 }
 
@@ -208,7 +208,8 @@ int expectedCount (const BendingProblem& problem, double waveNumber)
 }
 
 /** All modes up to a frequency: as many as are expected, then more until one lies above it. */
-ResolvedModes modesUpTo (const OutlinedPlate& plate, const OutlinedProblem& scaled, double frequency)
+ResolvedModes modesUpTo (const OutlinedPlate& plate, const OutlinedProblem& scaled, double frequency,
+                         ModeAccuracy accuracy)
 {
     const auto omega = 2 * std::numbers::pi * frequency;
     const auto limit = omega * omega / scaled.eigenvalueUnit();
@@ -216,7 +217,7 @@ ResolvedModes modesUpTo (const OutlinedPlate& plate, const OutlinedProblem& scal
 
     for (;; wanted += 4 + wanted / 4)
     {
-        auto resolved = solveFor (scaled, std::min (wanted, maximumPlateModes + 1));
+        auto resolved = solveFor (scaled, std::min (wanted, maximumPlateModes + 1), accuracy);
         const auto& eigenvalues = resolved.modes.eigenvalues;
         const auto below = (eigenvalues.array() <= limit).count();
 
@@ -233,15 +234,16 @@ ResolvedModes modesUpTo (const OutlinedPlate& plate, const OutlinedProblem& scal
     }
 }
 
-ResolvedModes wantedModes (const OutlinedPlate& plate, const OutlinedProblem& scaled, std::optional<int> argument)
+ResolvedModes wantedModes (const OutlinedPlate& plate, const OutlinedProblem& scaled, std::optional<int> argument,
+                           ModeAccuracy accuracy)
 {
     const auto given = argument ? argument : plate.common.modeCount;
 
     if (! given && plate.common.maximumFrequency)
-        return modesUpTo (plate, scaled, *plate.common.maximumFrequency);
+        return modesUpTo (plate, scaled, *plate.common.maximumFrequency, accuracy);
 
     requirePlateModes (given.value_or (defaultPlateModes));
-    return solveFor (scaled, given.value_or (defaultPlateModes));
+    return solveFor (scaled, given.value_or (defaultPlateModes), accuracy);
 }
 } // namespace
 
@@ -265,10 +267,15 @@ OutlinedProblem outlinedProblem (const OutlinedPlate& plate)
     return result;
 }
 
-OutlinedSolution solveOutlinedModes (const OutlinedPlate& plate, std::optional<int> modeCount)
+OutlinedSolution solveOutlinedModes (const OutlinedPlate& plate, std::optional<int> modeCount, ModeAccuracy accuracy)
 {
     auto scaled = outlinedProblem (plate);
-    auto [modes, resolution] = wantedModes (plate, scaled, modeCount);
+
+    if (accuracy == ModeAccuracy::coarse)
+        for (auto& patch : scaled.problem.patches)
+            patch.kinks.clear();
+
+    auto [modes, resolution] = wantedModes (plate, scaled, modeCount, accuracy);
     Eigen::VectorXd angularFrequencies = (modes.eigenvalues * scaled.eigenvalueUnit()).cwiseSqrt();
     const auto highest = angularFrequencies[angularFrequencies.size() - 1];
     const auto waveNumber = largestWaveNumberAt (plate.common, highest) * scaled.length;

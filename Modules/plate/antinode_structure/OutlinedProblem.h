@@ -47,9 +47,11 @@ struct OutlinedSolution
 };
 
 /** Solves for the given number of flexible modes, for those that the description asks for, or for 100.
+    @param accuracy  coarse: the edges of ceramics are not resolved
     @throws InputError  when the plate cannot be solved, saying why
     [worker] Docs/Theory.md, section 1.13. */
-OutlinedSolution solveOutlinedModes (const OutlinedPlate&, std::optional<int> modeCount);
+OutlinedSolution solveOutlinedModes (const OutlinedPlate&, std::optional<int> modeCount,
+                                     ModeAccuracy accuracy = ModeAccuracy::usual);
 
 /** Estimated relative errors of the frequencies of a solution, from a second one on cells that are larger everywhere:
    at corners, holes and patches, too.

@@ -22,6 +22,8 @@ namespace antinode
 namespace
 {
 constexpr int elementDegree = 8; ///< What subdivided() divides for.
+constexpr int coarseDegree = 5;  ///< Enough for some percent.
+constexpr double coarseErrors = 0.02;
 constexpr int defaultBeamModes = 40;
 
 /** The wanted modes of a description: a number, or all up to a frequency. */
@@ -76,14 +78,14 @@ void keepFirst (ChainModes& modes, Eigen::Index count)
     modes.coefficients.conservativeResize (Eigen::NoChange, count);
 }
 
-Solution solveWanted (const ElementChain& whole, const WantedModes& wanted)
+Solution solveWanted (const ElementChain& whole, const WantedModes& wanted, int degree)
 {
     // The frequency of the last mode is known only roughly if sections change often: search higher until there are
     // enough.
     for (auto angularFrequency = wanted.expected;; angularFrequency *= 1.25)
     {
         Solution solution { subdivided (whole, angularFrequency), {}, angularFrequency };
-        solution.modes = solveChain (solution.chain, elementDegree, angularFrequency);
+        solution.modes = solveChain (solution.chain, degree, angularFrequency);
         const auto highest = std::min (angularFrequency, wanted.limit);
         const auto found = (solution.modes.angularFrequencies.array() <= highest).count();
 
@@ -127,14 +129,16 @@ HeldEdges heldEdges (const StapleDescription&)
 }
 
 template <typename Body>
-ModalModel solveLine (const std::string& name, const Body& body, std::optional<int> modeCount)
+ModalModel solveLine (const std::string& name, const Body& body, std::optional<int> modeCount,
+                      int degree = elementDegree)
 {
     requireSolvable (body);
     const auto whole = makeChain (body);
-    const auto solution = solveWanted (whole, wantedModes (whole, body.common, modeCount));
-    auto model = makeModel (solution.chain, solution.modes, elementDegree, solution.angularFrequency, body.width,
+    const auto solution = solveWanted (whole, wantedModes (whole, body.common, modeCount), degree);
+    auto model = makeModel (solution.chain, solution.modes, degree, solution.angularFrequency, body.width,
                             momentsPerVolt (body.common, body.width));
-    model.frequencyErrors = estimatedErrors (solution);
+    model.frequencyErrors =
+        degree == elementDegree ? estimatedErrors (solution) : Eigen::VectorXd::Constant (model.modes(), coarseErrors);
     model.surface.held = heldEdges (body);
     describe (model, name, body.common);
     validate (model);
@@ -185,6 +189,23 @@ struct BodySolver
     std::optional<int> modeCount;
 };
 } // namespace
+
+ModalModel solveCoarsely (const DeviceDescription& device, int modeCount)
+{
+    if (const auto* const plate = std::get_if<PlateDescription> (&device.body))
+        return solveOutlinedCoarsely (device.name, outlinedPlate (*plate), modeCount);
+
+    if (const auto* const plate = std::get_if<OutlinedPlate> (&device.body))
+        return solveOutlinedCoarsely (device.name, *plate, modeCount);
+
+    if (const auto* const beam = std::get_if<BeamDescription> (&device.body))
+        return solveLine (device.name, *beam, modeCount, coarseDegree);
+
+    if (const auto* const staple = std::get_if<StapleDescription> (&device.body))
+        return solveLine (device.name, *staple, modeCount, coarseDegree);
+
+    return solveStructure (device, modeCount);
+}
 
 ModalModel solveStructure (const DeviceDescription& device, std::optional<int> modeCount)
 {

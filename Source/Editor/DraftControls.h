@@ -1,0 +1,90 @@
+#pragma once
+
+#include "DeviceDraft.h"
+
+#include <juce_gui_basics/juce_gui_basics.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace antinode
+{
+/** A row of the device's panel: a name and what sets something of the drawn device. [message thread] */
+class DraftRow : public juce::Component
+{
+public:
+    static constexpr int height = 24;
+
+    /** Shows what the device has. @return  whether it has such a thing: else there is no such row */
+    virtual bool refresh() = 0;
+
+    void resized() override;
+
+protected:
+    DraftRow (DeviceDraft&, const juce::String& name);
+
+    /** To be called once it is made. */
+    void addInput (juce::Component&);
+
+    DeviceDraft& draft;
+    juce::Label name;
+
+private:
+    juce::Component* input = nullptr;
+};
+
+/** A number, dragged or typed; the device follows while it is dragged. */
+class DraftNumber final : public DraftRow
+{
+public:
+    struct Kind
+    {
+        juce::String name, unit, tooltip;
+        double least = 0, most = 1, middle = 0.5, step = 0;                ///< The middle of the bar.
+        std::function<std::optional<double> (const nlohmann::json&)> read; ///< None: there is none.
+        std::function<nlohmann::json (const nlohmann::json&, double)> write;
+    };
+
+    DraftNumber (DeviceDraft&, Kind);
+
+    bool refresh() override;
+
+    /** As if the user typed it. */
+    void enter (double value) { bar.setValue (value, juce::sendNotificationSync); }
+
+private:
+    void change();
+
+    Kind kind;
+    juce::Slider bar { juce::Slider::LinearBar, juce::Slider::TextBoxRight };
+    nlohmann::json heldDocument; ///< Before it was dragged.
+    bool isDragged = false;
+};
+
+/** One of several words. */
+class DraftChoice final : public DraftRow
+{
+public:
+    struct Kind
+    {
+        juce::String name, tooltip;
+        std::function<juce::StringArray (const nlohmann::json&)> words;
+        std::function<std::optional<int> (const nlohmann::json&)> read; ///< -1: none of the words; none: there is none.
+        std::function<void (int)> choose;
+    };
+
+    DraftChoice (DeviceDraft&, Kind);
+
+    bool refresh() override;
+
+    /** As if the user chose it. @param index  of the words */
+    void enter (int index) { kind.choose (index); }
+
+private:
+    Kind kind;
+    juce::ComboBox list;
+    juce::StringArray shown;
+};
+} // namespace antinode

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "SurfaceView.h"
+
+#include <antinode_model/VoltageProgram.h>
+#include <antinode_session/Documents.h>
+#include <antinode_session/FocusSettings.h>
+
+#include <Eigen/Core>
+#include <atomic>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace antinode
+{
+/** What is asked of a device that is drawn. */
+struct DraftQuestion
+{
+    std::shared_ptr<const DeviceDocument> device;
+    std::shared_ptr<const ModalModel> exact; ///< Its modes, where they are solved; none: they are solved coarsely.
+    std::shared_ptr<const FocusDocument> focus;
+    PlaySettings settings;
+    Playback playback;       ///< With a rate of more than 0.
+    std::optional<int> mode; ///< Which mode is shown, from 0; none: the surface at rest.
+
+    bool operator== (const DraftQuestion&) const;
+};
+
+/** A device that is drawn, with a mode of it. Immutable. Numbers of the focus come a little later. */
+struct DraftPicture : SurfacePicture
+{
+    DraftQuestion question;
+    bool isExact = false;
+    Eigen::VectorXd shares;         ///< N_b: participation of each ceramic in the mode, of the largest; -1 to 1.
+    std::optional<double> captured; ///< Of the present focus.
+    std::optional<double> volts;    ///< V: what it needs, whatever the limits.
+    double solveTime = 0;           ///< s that the coarse modes took.
+    std::string obstacle;           ///< Why there are no such numbers.
+};
+
+/** Solves a device while it is drawn, on a thread that runs it: coarse modes as often as it changes, then what the
+   present focus is on them. The editor may go before the thread: both share it. */
+class DraftView
+{
+public:
+    static constexpr int coarseModes = 30;
+
+    /** Answers questions until it is stopped. [worker] */
+    void run();
+
+    /** Returns at once. [message thread, as all below] */
+    void leave();
+
+    void ask (DraftQuestion);
+
+    /** The latest picture, or none yet. */
+    std::shared_ptr<const DraftPicture> picture() const;
+
+    /** Whether nothing is worked on. */
+    bool isDone() const;
+
+private:
+    void answer (const DraftQuestion&);
+    void solve (const DraftQuestion&);
+    void addNumbers (DraftPicture&);
+    void show (const DraftPicture&);
+
+    std::shared_ptr<const DeviceDocument> solvedOf; ///< Of the thread only, as the next lines.
+    std::shared_ptr<const ModalModel> solved;
+    double solveTime = 0; ///< s
+    mutable std::mutex mutex;
+    std::condition_variable changed;
+    std::optional<DraftQuestion> next; ///< Under the mutex, as the next lines.
+    std::shared_ptr<const DraftPicture> newest;
+    std::atomic<bool> isStopping { false }, isWorking { false }, isOutdated { false };
+};
+} // namespace antinode
