@@ -159,7 +159,7 @@ void DeviceDraft::load (std::shared_ptr<const DeviceDocument> device, std::uint6
     refresh();
 }
 
-void DeviceDraft::apply (nlohmann::json edited)
+void DeviceDraft::apply (const nlohmann::json& edited)
 {
     before = nullptr;
     take (edited);

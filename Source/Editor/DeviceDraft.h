@@ -56,7 +56,7 @@ public:
     void cancel();
 
     /** An edit in one step. */
-    void apply (nlohmann::json edited);
+    void apply (const nlohmann::json& edited);
 
     /** Loads a device that is none of the loaded one, with a focus that suits it. */
     void begin (const nlohmann::json& device);

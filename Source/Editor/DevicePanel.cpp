@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace antinode
 {
@@ -107,6 +108,16 @@ void DevicePanel::chooseTemplate (juce::Component& at)
     menu.showMenuAsync (juce::PopupMenu::Options().withTargetComponent (at).withDeletionCheck (*this));
 }
 
+bool DevicePanel::isOfPlate() const
+{
+    return draft.isDrawn() && ! isLine (draft.document());
+}
+
+bool DevicePanel::hasCeramics() const
+{
+    return draft.isDrawn() && ! draft.document()["ceramics"].empty();
+}
+
 void DevicePanel::showMode (std::optional<int> mode)
 {
     shownMode = mode;
@@ -163,9 +174,8 @@ void DevicePanel::refresh (std::shared_ptr<const DraftPicture> newest, const Pla
     for (auto& row : rows)
         row->setVisible (isDrawn && row->refresh());
 
-    for (auto& button : buttons)
-        button->setVisible (button.get() == takeButton ? ! search.ceramics.empty()
-                                                       : isDrawn || button->getName() == "New");
+    for (auto& [button, isThere] : offers)
+        button->setVisible (isThere());
 
     searchText.setVisible (isDrawn);
 
@@ -207,18 +217,18 @@ void DevicePanel::layOut()
             if (row->isVisible())
                 row->setBounds (area.removeFromTop (DraftRow::height));
 
-        if (! section.buttons.empty())
-        {
-            auto line = area.removeFromTop (buttonHeight + panelGap).withTrimmedTop (panelGap);
-            const auto count = static_cast<int> (section.buttons.size());
+        std::vector<juce::Component*> shown;
+        std::copy_if (section.buttons.begin(), section.buttons.end(), std::back_inserter (shown),
+                      [] (const auto* button) { return button->isVisible(); });
 
-            for (int i = 0; i < count; ++i)
-            {
-                section.buttons[static_cast<std::size_t> (i)]->setBounds (
-                    line.removeFromLeft (line.getWidth() / (count - i))
-                        .withTrimmedRight (i + 1 < count ? panelGap : 0));
-            }
-        }
+        if (shown.empty())
+            continue;
+
+        auto line = area.removeFromTop (buttonHeight + panelGap).withTrimmedTop (panelGap);
+        const auto each = (line.getWidth() + panelGap) / static_cast<int> (shown.size());
+
+        for (auto* const button : shown)
+            button->setBounds (line.removeFromLeft (each).withTrimmedRight (panelGap));
     }
 
     page.setSize (width, area.getY() + panelMargin);

@@ -69,6 +69,13 @@ private:
         std::vector<std::pair<juce::String, juce::Rectangle<int>>> headings;
     };
 
+    /** A button, and whether the drawn device has such a thing. */
+    struct Offer
+    {
+        std::unique_ptr<juce::TextButton> button;
+        std::function<bool()> isThere;
+    };
+
     /** What stands below one another: rows that the device has, and buttons side by side. */
     struct Section
     {
@@ -80,7 +87,7 @@ private:
     void addNumber (Section&, DraftNumber::Kind);
     void addChoice (Section&, DraftChoice::Kind);
     juce::TextButton& addButton (Section&, const juce::String& name, const juce::String& tooltip,
-                                 std::function<void()> action);
+                                 std::function<void()> action, std::function<bool()> isThere);
     void makeDevice();
     void makeSizes();
     void makeLayers();
@@ -94,6 +101,8 @@ private:
     void chooseFile();
     void addPoint (double stiffness, double mass);
     void stepMode (int by);
+    bool isOfPlate() const;
+    bool hasCeramics() const;
     void layOut();
     void paintFigures (juce::Graphics&, juce::Rectangle<int>) const;
     juce::String modeText() const;
@@ -101,10 +110,10 @@ private:
     DeviceDraft& draft;
     std::shared_ptr<const DraftPicture> picture;
     std::vector<std::unique_ptr<DraftRow>> rows;
-    std::vector<std::unique_ptr<juce::TextButton>> buttons;
+    std::vector<Offer> offers;
     std::vector<Section> sections;
     juce::Label deviceName, modeName, searchText;
-    juce::TextButton *searchButton = nullptr, *takeButton = nullptr;
+    juce::TextButton* searchButton = nullptr;
     PlaceProgress search;
     juce::TextButton modeBefore, modeAfter;
     Page page;

@@ -1,7 +1,8 @@
 #include "DraftControls.h"
 
-#include "EditorLook.h"
+#include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace antinode
@@ -74,7 +75,11 @@ bool DraftNumber::refresh()
     const auto value = kind.read (draft.document());
 
     if (value && ! isDragged)
+    {
+        // A device of a file may have more or less than is usual.
+        bar.setRange (std::min (kind.least, *value), std::max (kind.most, *value), kind.step);
         bar.setValue (*value, juce::dontSendNotification);
+    }
 
     return value.has_value();
 }
@@ -108,5 +113,12 @@ bool DraftChoice::refresh()
 
     list.setSelectedId (*now + 1, juce::dontSendNotification);
     return true;
+}
+
+int MaterialWords::indexOf (const nlohmann::json& material) const
+{
+    const auto found =
+        material.is_string() ? std::find (names.begin(), names.end(), material.get<std::string>()) : names.end();
+    return found != names.end() ? static_cast<int> (found - names.begin()) : -1;
 }
 } // namespace antinode

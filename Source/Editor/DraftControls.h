@@ -1,6 +1,7 @@
 #pragma once
 
 #include "DeviceDraft.h"
+#include "EditorLook.h"
 
 #include <juce_gui_basics/juce_gui_basics.h>
 
@@ -86,5 +87,25 @@ private:
     Kind kind;
     juce::ComboBox list;
     juce::StringArray shown;
+};
+/** Built-in materials as the words of a choice, with what scatters between samples. */
+struct MaterialWords
+{
+    std::vector<std::string> names;
+    juce::StringArray words;
+
+    template <typename Table>
+    void add (const Table& table)
+    {
+        for (const auto& entry : table)
+        {
+            names.emplace_back (entry.notes.name);
+            words.add (fromUtf8 (std::string (entry.notes.name)) + "   "
+                       + fromUtf8 (std::string (entry.notes.scatter)));
+        }
+    }
+
+    /** -1: none of them. */
+    int indexOf (const nlohmann::json& material) const;
 };
 } // namespace antinode

@@ -249,8 +249,7 @@ TEST_CASE ("A slider shows coarse modes while it is dragged, and exact ones afte
     CHECK (after->model->frequencyHz (0) > 1.2 * exact->frequencyHz (0));
 }
 
-TEST_CASE ("From an empty window to a plate of one's own: nine steps, and a file that the command line reads",
-           "[draft]")
+TEST_CASE ("From an empty window to a plate in six steps, and a file that the command line reads", "[draft]")
 {
     DrawnFixture test ("rectangle"); // 1: New, rectangle
     test.enter<DraftNumber> ("Length", 180);
@@ -359,4 +358,51 @@ TEST_CASE ("The search of places says what the focus needs now and there, and it
     panel.onPlace (false);
     test.content().refresh (0);
     CHECK (test.content().placesFound().ceramics.empty());
+}
+
+TEST_CASE ("Edges, several ceramics and masses are chosen on the surface, and keys move and remove them", "[draft]")
+{
+    DrawnFixture test ("rounded rectangle");
+    auto& surface = test.surface();
+    auto& draft = test.draft();
+    const auto first = surface.middleOf (0);
+    surface.mouseDown (test::mouseAt (surface, first));
+    surface.mouseUp (test::mouseAt (surface, first));
+    CHECK (draft.ceramics == CeramicChoice { 0 });
+    draft.ceramics = { 0, 1 };
+    const auto before = ceramicsOf (test.device());
+    CHECK (surface.keyPressed (juce::KeyPress (juce::KeyPress::upKey)));
+
+    for (const auto i : { 0, 1 })
+        CHECK (ceramicsOf (test.device())[i].centre.isApprox (before[i].centre + Eigen::Vector2d (0, 1)));
+
+    // Dragged together, they keep their distance.
+    test.content().refresh (0);
+    surface.mouseDown (test::mouseAt (surface, surface.middleOf (0)));
+    const auto from = surface.middleOf (0), to = from + juce::Point<float> (0, -30);
+    surface.mouseDrag (test::mouseAt (surface, to, from));
+    surface.mouseUp (test::mouseAt (surface, to, from));
+    const auto after = ceramicsOf (test.device());
+    CHECK ((after[1].centre - after[0].centre).isApprox (before[1].centre - before[0].centre));
+    CHECK (after[0].centre.y() > before[0].centre.y() + 2);
+
+    test.processor.setMutes (0b1001);
+    CHECK (surface.keyPressed (juce::KeyPress (juce::KeyPress::deleteKey)));
+    CHECK (ceramicsOf (test.device()).size() == before.size() - 2);
+    CHECK (test.processor.mutes() == 0b10); // C4 is the second now
+
+    draft.apply (withPoint (draft.document(), 0, { { 110, 60 }, 20, 0 }));
+    draft.point = 0;
+    test.enter<DraftNumber> ("Foot", 33);
+    CHECK (pointsOf (test.device()).front().stiffness == 33);
+    CHECK (surface.keyPressed (juce::KeyPress (juce::KeyPress::deleteKey)));
+    CHECK (pointsOf (test.device()).empty());
+
+    draft.edge = "left";
+    test.enter<DraftChoice> ("Held by", 2);
+    CHECK (usualSupport (supportOf (test.device(), "left"))->name == "clamped");
+    CHECK (usualSupport (supportOf (test.device(), "right"))->name == "silicone");
+    test.enter<DraftNumber> ("Thickness", 1.5);
+    CHECK (layersOf (test.device()).front().thickness == Approx (1.5));
+    CHECK_FALSE (surface.keyPressed (juce::KeyPress ('x')));
 }

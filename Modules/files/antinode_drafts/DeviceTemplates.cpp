@@ -19,7 +19,7 @@ namespace
 using nlohmann::json;
 
 /** A glass plate without ceramics, held as it is said. */
-json glassPlate (json shape, const json& edges)
+json glassPlate (const json& shape, const json& edges)
 {
     json device { { "schema", "antinode.device/1" },
                   { "name", "new" },
