@@ -105,7 +105,7 @@ void printCase (const SweepOptions& options)
                                         + std::to_string (inputs.plan.cases - 1));
 
     for (const auto& [key, value] : caseAssignments (inputs.plan, number))
-        std::printf ("--set %s=%s\n", key.c_str(),
+        std::printf ("%s%s\n", key == "device" ? "--device " : ("--set " + key + "=").c_str(),
                      value.is_string() ? value.get<std::string>().c_str() : value.dump().c_str());
 
     const auto result = CaseEvaluator (inputs, options.usesCache).evaluate (number);
