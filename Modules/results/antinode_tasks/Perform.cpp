@@ -92,7 +92,12 @@ std::vector<Field> fields (PerformRequest& request)
                     .within (0, 200)
                     .with ("--correct"),
                 cacheField (request.usesCache),
+                Field ("--tolerance", &request.hasTolerance,
+                       "Plays the voltages on devices that differ from the model: levels and errors at the fingers"),
             });
+
+    for (auto& field : fields (request.devices))
+        all.push_back (field.with ("--tolerance"));
 
     append (all, fields (request.sensor));
     return all;
@@ -140,7 +145,13 @@ PerformedWaveforms perform (const PerformRequest& request, const ShowProgress& s
 
     const auto passes = withoutLatency (readRecordedPasses (request.passes, known, waveforms.band, request.sensor),
                                         known, waveforms, request.sampleRate, request.longestLatency);
-    return performWaveforms (known, judge, waveforms, settings, show, passes);
+    auto performed = performWaveforms (known, judge, waveforms, settings, show, passes);
+
+    if (request.hasTolerance)
+        performed.tolerance = waveformsTolerance (judge, performed.design, settings.threshold,
+                                                  toleranceOptions (request.devices, spreadOf (judge.origin)), show);
+
+    return performed;
 }
 
 void writePerformed (const std::filesystem::path& path, const PerformedWaveforms& performed,
@@ -150,6 +161,9 @@ void writePerformed (const std::filesystem::path& path, const PerformedWaveforms
     folder.write ("voltages.wav", encodeWave (outputVoltages (performed), performed.judge.fullScaleVoltage,
                                               performed.played.sampleRate));
     writeFingers (folder, performed);
+
+    if (performed.tolerance)
+        folder.write ("tolerance.csv", toleranceToCsv (*performed.tolerance));
 
     if (extras.hasReport)
         folder.write ("report.html", renderReport (waveformsReport (performed)));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "DrawnDevices.h"
 #include "Field.h"
 #include "RecordedSignals.h"
 #include "TracksAt.h"
@@ -35,6 +36,8 @@ struct PerformRequest
     double longestLatency = 0;                 ///< s, of recordings; 0: they begin with their voltages.
     SensorScale sensor;
     std::filesystem::path played; ///< Voltages that were recorded elsewhere are judged; empty: they are designed.
+    bool hasTolerance = false;    ///< Whether the voltages are played on devices that deviate, too:
+    DrawnDevices devices;
     bool usesCache = true;
 };
 
