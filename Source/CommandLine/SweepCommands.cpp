@@ -5,10 +5,12 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
 #include <antinode_numerics/ParallelFor.h>
+#include <antinode_reports/IdentificationTables.h>
 #include <antinode_sweep/CaseEvaluator.h>
 #include <antinode_sweep/PartFolder.h>
 #include <antinode_sweep/SweepCases.h>
 #include <antinode_sweep/SweepTable.h>
+#include <antinode_tasks/Compare.h>
 #include <antinode_tasks/Map.h>
 #include <antinode_tasks/SweptFiles.h>
 
@@ -62,6 +64,15 @@ void printMap (const MappedDevice& mapped, const std::string& folder)
 void addMapCommand (CLI::App& app)
 {
     addFolderTask (app, mapText, "antinode-out", &map, &writeMap, &printMap);
+}
+
+void addCompareCommand (CLI::App& app)
+{
+    addFolderTask (app, compareText, "antinode-out", &compare, &writeCompared,
+                   [] (const ComparedDevices& compared, const std::string& folder) {
+                       std::printf ("%sReport: %s/report.html\n", tableText (comparisonTable (compared.cases)).c_str(),
+                                    folder.c_str());
+                   });
 }
 
 namespace
