@@ -86,7 +86,7 @@ void addCommands (CLI::App& app)
           { addExciteCommand, addMeasureCommand, addFrfCommand, addCalibrateCommand, addIdentifyCommand,
             addRetuneCommand, addHysteresisCommand } },
         { "Learn from plays", { addSensorsCommand, addLearnCommand, addFollowCommand } },
-        { "Study", { addMapCommand, addSweepCommand } },
+        { "Study", { addCompareCommand, addMapCommand, addSweepCommand } },
         { "About", { addVersionCommand } },
     };
 

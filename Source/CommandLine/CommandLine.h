@@ -20,6 +20,7 @@ void addDesignCommand (CLI::App&);
 void addRenderCommand (CLI::App&);
 void addPerformCommand (CLI::App&);
 void addSweepCommand (CLI::App&);
+void addCompareCommand (CLI::App&);
 void addMapCommand (CLI::App&);
 void addExciteCommand (CLI::App&);
 void addMeasureCommand (CLI::App&);

@@ -158,7 +158,7 @@ void addDesignCommand (CLI::App& app)
                    Field (tolerance, &options->hasTolerance,
                           "Computes the field error on devices that differ from the model") });
 
-    for (auto& field : spreadFields (request))
+    for (auto& field : fields (request.devices))
         all.push_back (field.with (tolerance));
 
     append (all,
@@ -232,6 +232,10 @@ void printPerformed (const PerformOptions& options, const PerformedWaveforms& pe
     std::printf ("  voltages: %s\n", trackVoltsInWords (performed).c_str());
     printPower (performed.judge, performed.power);
 
+    if (const auto& tolerance = performed.tolerance)
+        std::printf ("%s\n%s", drawnInWords (tolerance->options).c_str(),
+                     toleranceInWords (description, *tolerance).c_str());
+
     if (performed.undone && performed.undone->lateness > 0)
         std::printf ("  lags of ceramics: %s\n", lagsInWords (*performed.undone).c_str());
 
@@ -258,6 +262,7 @@ void addPerformCommand (CLI::App& app)
                   .written ("FILE")
                   .without ("--latency-ms")
                   .without ("--correct")
+                  .without ("--tolerance")
                   .without ("--rate")
                   .without ("--design"),
               Field ("--no-report", &options->hasReport, "Writes no report.html"), quietField (options->isQuiet) });

@@ -12,13 +12,14 @@
 #include <antinode_structure/DescribedCeramic.h>
 #include <antinode_structure/Materials.h>
 #include <antinode_tasks/Place.h>
+#include <antinode_tasks/PlacementOutcomes.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
-#include <limits>
+#include <functional>
 #include <memory>
 
 namespace antinode
@@ -224,73 +225,158 @@ void printOutcomes (const ModalModel& model, const std::vector<FocusDescription>
                      inWords (outcome.contrast).c_str());
 }
 
-/** What some ceramics come to: the worst of all focuses. */
-void printRow (const DeviceDescription& device, const std::vector<CeramicDescription>& ceramics,
-               const std::vector<FocusDescription>& focuses, const char* remark = "")
+/** A number of a row, the unit of what is printed, and where the row has it. */
+struct RowColumn
 {
-    PlacementOutcome worst { {}, 0, 0, 0, std::numeric_limits<double>::infinity() };
+    const char* heading;
+    int width;
+    std::function<std::string (const SeriesResult&)> text;
+};
 
-    for (const auto& each : placementOutcomes (solveStructure (withCeramics (device, ceramics)), focuses))
+std::vector<RowColumn> rowColumns (bool isOfWaveforms)
+{
+    const auto number = [] (const char* key, double perUnit = 1)
+    { return [=] (const SeriesResult& row) { return inWords (seriesNumber (row, key) * perUnit); }; };
+    const RowColumn peak { "peak/V", 8, number ("peak_voltage_V") };
+
+    if (! isOfWaveforms)
+        return { peak,
+                 { "limit/V", 8, number ("voltage_limit_V") },
+                 { "field error/%", 14, number ("field_error", 100) },
+                 { "contrast", 9, number ("contrast") } };
+
+    return { peak,
+             { "energy/uJ", 10, number ("energy_J", micro) },
+             { "current/mA", 11, number ("peak_current_A", milli) },
+             { "felt/dB SL", 11,
+               [] (const SeriesResult& row) { return fixedText (seriesNumber (row, "felt_level_dB"), 1); } },
+             { "of the level/dB", 16,
+               [] (const SeriesResult& row) { return fixedText (seriesNumber (row, "level_share_dB"), 1); } } };
+}
+
+/** The rows of numbers of ceramics: printed as soon as they are there, and all of them in a table beside the devices.
+ */
+class PlacementRows
+{
+public:
+    explicit PlacementRows (const PlaceOptions& optionsToUse)
+        : options (optionsToUse), columns (rowColumns (options.request.waveforms.has_value()))
     {
-        worst.peakVoltage = std::max (worst.peakVoltage, each.peakVoltage);
-        worst.fieldError = std::max (worst.fieldError, each.fieldError);
-        worst.contrast = std::min (worst.contrast, each.contrast);
     }
 
-    std::printf ("%8zu  %10s V  %9.2f %%  %8s%s\n", ceramics.size(), inWords (worst.peakVoltage).c_str(),
-                 100 * worst.fieldError, inWords (worst.contrast).c_str(), remark);
-    std::fflush (stdout);
+    void add (SeriesResult row, std::size_t ceramics, const char* remark = "")
+    {
+        print (row, ceramics, remark);
+        row.numbers.insert (row.numbers.begin(), { "ceramics", static_cast<double> (ceramics) });
+        rows.push_back (std::move (row));
+
+        if (! options.counts.empty())
+            writeWholeFile (std::filesystem::path (options.file).replace_extension (".csv"), scoreTable (rows));
+    }
+
+private:
+    void print (const SeriesResult& row, std::size_t ceramics, const char* remark) const
+    {
+        if (options.isQuiet)
+            return;
+
+        if (rows.empty())
+        {
+            std::printf ("ceramics");
+
+            for (const auto& column : columns)
+                std::printf (" %*s", column.width, column.heading);
+
+            std::printf ("\n");
+        }
+
+        std::printf ("%8zu", ceramics);
+
+        for (const auto& column : columns)
+            if (row.error.empty())
+                std::printf (" %*s", column.width, column.text (row).c_str());
+
+        std::printf ("%s%s\n", row.error.empty() ? remark : "  failed: ", row.error.c_str());
+        std::fflush (stdout);
+    }
+
+    const PlaceOptions& options;
+    const std::vector<RowColumn> columns;
+    std::vector<SeriesResult> rows;
+};
+
+void write (const PlaceRequest& request, const std::filesystem::path& file,
+            const std::vector<CeramicDescription>& ceramics)
+{
+    writeWholeFile (file, deviceText (placedDevice (request, ceramics)));
 }
 
-void write (const PlaceOptions& options, const std::vector<CeramicDescription>& ceramics)
+/** The row of a device that was written. */
+SeriesResult rowOf (const PlaceRequest& request, const std::filesystem::path& file)
 {
-    writeWholeFile (options.file, deviceText (placedDevice (options.request, ceramics)));
+    return { file.stem().string(), placementNumbers (request, loadDevice (file.string(), {})), {} };
 }
 
-/** Where the user interrupts, the best places so far are kept. @throws Cancelled  then */
-PlacedCeramics placedOrBest (const PlaceOptions& options)
+/** The best places so far are always in the file. @throws Cancelled  where the user interrupts, with a row for them */
+PlacedCeramics placedOrBest (const PlaceOptions& options, const PlaceRequest& request,
+                             const std::filesystem::path& file, PlacementRows& rows)
 {
-    std::vector<CeramicDescription> best;
+    std::size_t written = 0;
 
     try
     {
         Progress progress (options.isQuiet);
         return placed (
-            options.request, [&] (const std::vector<CeramicDescription>& ceramics) { best = ceramics; },
+            request,
+            [&] (const std::vector<CeramicDescription>& ceramics)
+            {
+                write (request, file, ceramics);
+                written = ceramics.size();
+            },
             progress.shown());
     }
     catch (const Cancelled&)
     {
-        if (! best.empty())
+        if (written > 0)
         {
             answerInterruption();
-            write (options, best);
 
             if (! options.counts.empty())
-                printRow (options.request.device, best, options.request.focuses, "  the best so far");
+                rows.add (rowOf (request, file), written, "  the best so far");
 
-            std::fprintf (stderr, "The best places so far are in %s\n", options.file.c_str());
+            std::fprintf (stderr, "The best places so far are in %s\n", file.c_str());
         }
 
         throw;
     }
 }
 
-/** What each number of ceramics comes to. */
-void printCurve (PlaceOptions options)
+/** What each number of ceramics comes to, each with its device. */
+void placeCounts (const PlaceOptions& options)
 {
-    const auto& focuses = options.request.focuses;
+    PlacementRows rows (options);
 
-    if (focuses.empty())
-        throw InputError ("--counts", "needs --focus: it compares the focuses for each number of ceramics");
-
-    std::printf ("ceramics  peak voltage  field error  contrast  (the worst of %zu focuses)\n", focuses.size());
-    std::fflush (stdout);
+    if (options.request.focuses.empty() && ! options.request.waveforms)
+        throw InputError ("--counts", "needs --focus or --waveforms: it compares what these need of each number of "
+                                      "ceramics");
 
     for (const auto count : options.counts)
     {
-        options.request.count = count;
-        printRow (options.request.device, placedOrBest (options).ceramics, focuses);
+        auto request = options.request;
+        request.count = count;
+        auto file = options.file;
+        file.replace_filename (file.stem().string() + "-" + std::to_string (count) + ".json");
+
+        try
+        {
+            write (request, file, placedOrBest (options, request, file, rows).ceramics);
+            rows.add (rowOf (request, file), static_cast<std::size_t> (count));
+        }
+        catch (const InputError& error)
+        {
+            rows.add ({ file.stem().string(), {}, withKeysAndOptions (error.what()) },
+                      static_cast<std::size_t> (count));
+        }
     }
 }
 
@@ -302,17 +388,20 @@ void runPlace (PlaceOptions& options)
         options.file = request.device.name + "-placed.json";
 
     if (! options.counts.empty())
-        return printCurve (options);
+        return placeCounts (options);
 
-    const auto found = placedOrBest (options);
-    write (options, found.ceramics);
+    PlacementRows rows (options);
+    const auto found = placedOrBest (options, request, options.file, rows);
+    write (request, options.file, found.ceramics);
 
     if (options.isQuiet)
         return;
 
     printResult (found, options);
 
-    if (! request.focuses.empty())
+    if (request.waveforms)
+        rows.add (rowOf (request, options.file), found.ceramics.size());
+    else if (! request.focuses.empty())
         printOutcomes (solveStructure (withCeramics (request.device, found.ceramics)), request.focuses);
 }
 } // namespace
@@ -323,12 +412,13 @@ void addPlaceCommand (CLI::App& app)
         placeText.name, "Finds the best positions of ceramics on a device for its lowest modes; writes a device file");
     auto options = std::make_shared<PlaceOptions>();
     auto all = fields (options->request);
-    append (all, { Field ("--counts", &options->counts,
-                          "With --focus: prints the result for each of these numbers of ceramics")
-                       .written ("N", ',')
-                       .within (1, 64),
-                   Field ("--out", &options->file, "Device file to write").by ("DEVICE-placed.json"),
-                   quietField (options->isQuiet) });
+    append (all,
+            { Field ("--counts", &options->counts,
+                     "With --focus or --waveforms: a device and a row of a table for each of these numbers of ceramics")
+                  .written ("N", ',')
+                  .within (1, 64),
+              Field ("--out", &options->file, "Device file to write").by ("DEVICE-placed.json"),
+              quietField (options->isQuiet) });
     command->callback (
         [options, read = addFields (*command, all)]
         {

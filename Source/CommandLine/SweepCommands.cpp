@@ -5,10 +5,12 @@
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
 #include <antinode_numerics/ParallelFor.h>
+#include <antinode_reports/IdentificationTables.h>
 #include <antinode_sweep/CaseEvaluator.h>
 #include <antinode_sweep/PartFolder.h>
 #include <antinode_sweep/SweepCases.h>
 #include <antinode_sweep/SweepTable.h>
+#include <antinode_tasks/Compare.h>
 #include <antinode_tasks/Map.h>
 #include <antinode_tasks/SweptFiles.h>
 
@@ -64,6 +66,15 @@ void addMapCommand (CLI::App& app)
     addFolderTask (app, mapText, "antinode-out", &map, &writeMap, &printMap);
 }
 
+void addCompareCommand (CLI::App& app)
+{
+    addFolderTask (app, compareText, "antinode-out", &compare, &writeCompared,
+                   [] (const ComparedDevices& compared, const std::string& folder) {
+                       std::printf ("%sReport: %s/report.html\n", tableText (comparisonTable (compared.cases)).c_str(),
+                                    folder.c_str());
+                   });
+}
+
 namespace
 {
 struct SweepOptions
@@ -105,7 +116,7 @@ void printCase (const SweepOptions& options)
                                         + std::to_string (inputs.plan.cases - 1));
 
     for (const auto& [key, value] : caseAssignments (inputs.plan, number))
-        std::printf ("--set %s=%s\n", key.c_str(),
+        std::printf ("%s%s\n", key == "device" ? "--device " : ("--set " + key + "=").c_str(),
                      value.is_string() ? value.get<std::string>().c_str() : value.dump().c_str());
 
     const auto result = CaseEvaluator (inputs, options.usesCache).evaluate (number);

@@ -269,6 +269,19 @@ public:
         return option;
     }
 
+    CLI::Option* operator() (std::vector<DeviceDescription>* value) const
+    {
+        return list (command.add_option_function<std::vector<std::string>> (
+            field.option,
+            [value, named = documents] (const std::vector<std::string>& names)
+            {
+                for (const auto& name : names)
+                    named->readsAfter.push_back ([value, name, named]
+                                                 { value->push_back (loadDevice (name, named->assignments)); });
+            },
+            text));
+    }
+
     CLI::Option* operator() (const OptionalDevice& value) const
     {
         return word (
@@ -289,6 +302,17 @@ public:
     {
         return document (LibraryKind::waveforms, [value, named = documents] (const std::string& name)
                          { *value = loadWaveforms (name, named->assignments); });
+    }
+
+    CLI::Option* operator() (const OptionalWaveforms& value) const
+    {
+        return word (
+            [value, named = documents] (const std::string& name)
+            {
+                if (! name.empty())
+                    named->reads.push_back ([value, name, named]
+                                            { *value.waveforms = loadWaveforms (name, named->assignments); });
+            });
     }
 
     CLI::Option* operator() (std::vector<FocusDescription>* value) const
@@ -424,7 +448,9 @@ ReadFields addFields (CLI::App& command, const std::vector<Field>& fields)
             example = "focus.targets.0.x_mm=24";
         else if (std::holds_alternative<WaveformsDescription*> (field.value))
             example = "waveforms.tracks.0.x_mm=24";
-        else if (std::holds_alternative<DeviceDescription*> (field.value) && example.empty())
+        else if ((std::holds_alternative<DeviceDescription*> (field.value)
+                  || std::holds_alternative<std::vector<DeviceDescription>*> (field.value))
+                 && example.empty())
             example = "device.thickness_mm=1.5";
     }
 

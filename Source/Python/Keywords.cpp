@@ -233,6 +233,12 @@ public:
         *value = device.attr ("_core").cast<const DeviceValue&>().description;
     }
 
+    void operator() (std::vector<DeviceDescription>* value) const
+    {
+        for (const auto& each : listOf (field, given))
+            value->push_back (documents ("device_of") (each).attr ("_core").cast<const DeviceValue&>().description);
+    }
+
     void operator() (const OptionalDevice& value) const
     {
         if (isGiven())
@@ -255,6 +261,13 @@ public:
     {
         reader = documents ("waveforms_of") (given);
         *value = reader.attr ("_core").cast<const WaveformsValue&>().description;
+    }
+
+    void operator() (const OptionalWaveforms& value) const
+    {
+        if (isGiven())
+            *value.waveforms =
+                documents ("waveforms_of") (given).attr ("_core").cast<const WaveformsValue&>().description;
     }
 
     void operator() (const OptionalSheet& value) const

@@ -39,10 +39,12 @@ public:
     void operator() (const Eigen::MatrixX2d*) { say ("Iterable[Probe]", "()"); }
     void operator() (const std::optional<Eigen::MatrixXd>*) { say ("Any", "None"); }
     void operator() (const PlayFunction*) { say ("Optional[Callable[[Floats, int], Any]]", "None"); }
+    void operator() (const std::vector<DeviceDescription>*) { say ("Iterable[Union[Source, _Device]]", "()"); }
     void operator() (const OptionalDevice&) { say ("Union[None, Source, _Device]", "None"); }
     void operator() (const FocusDescription*) { say ("Union[Source, _Focus]", "'" + field.usual + "'"); }
     void operator() (const std::vector<FocusDescription>*) { say ("Iterable[Union[Source, _Focus]]", "()"); }
     void operator() (const WaveformsDescription*) { say ("Union[Source, _Waveforms]", "'" + field.usual + "'"); }
+    void operator() (const OptionalWaveforms&) { say ("Union[None, Source, _Waveforms]", "None"); }
     void operator() (const OptionalSheet&) { say ("Union[None, Folder, Excitation]", "None"); }
 
     void operator() (const std::vector<std::filesystem::path>*)

@@ -1,5 +1,6 @@
 #include "Support/RunProgram.h"
 
+#include <antinode_base/MessageText.h>
 #include <antinode_documents/Inputs.h>
 #include <antinode_measurement/SimulatedBench.h>
 #include <antinode_text/OutputFolder.h>
@@ -27,7 +28,7 @@ std::vector<std::string> thinAndSoldered()
     std::vector<std::string> assignments { "device.theory=euler_bernoulli" };
 
     for (int i = 0; i < 6; ++i)
-        assignments.push_back ("device.ceramics." + std::to_string (i) + ".glue=rigid");
+        assignments.push_back (formatted ("device.ceramics.%d.glue=rigid", i));
 
     return assignments;
 }

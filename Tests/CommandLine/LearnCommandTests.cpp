@@ -20,7 +20,7 @@ using test::runProgram;
 
 namespace
 {
-constexpr double rate = 48000;
+constexpr double learnRate = 48000;
 
 /** `antinode learn` on the embedded beam with sensors at three places. */
 ProgramArguments learnArguments (const std::filesystem::path& folder, const std::string& out,
@@ -41,7 +41,7 @@ void writeSensors (const std::filesystem::path& folder)
 }
 
 /** The embedded beam with a modulus that is 1 % lower. */
-DeviceDescription driftedBeam()
+DeviceDescription softerBeam()
 {
     return loadDevice (
         "beam", { "device.material={\"youngs_modulus_GPa\": 69.3, \"poisson_ratio\": 0.33, \"density_kg_m3\": 2700}" });
@@ -69,7 +69,7 @@ void writeRecording (const std::filesystem::path& pass, const Eigen::MatrixXd& v
 {
     writeWholeFile (
         pass / "recorded.csv",
-        encodeCsv (1000 * velocities, { "velocity_mm_s_1", "velocity_mm_s_2", "velocity_mm_s_3" }, rate, 0));
+        encodeCsv (1000 * velocities, { "velocity_mm_s_1", "velocity_mm_s_2", "velocity_mm_s_3" }, learnRate, 0));
 }
 
 /** What the three sensors record of a pass on it.
@@ -77,7 +77,7 @@ void writeRecording (const std::filesystem::path& pass, const Eigen::MatrixXd& v
 void recordPass (const std::filesystem::path& pass, double signalScale, bool isLate = false, double signalToNoise = 40,
                  double scatter = 0)
 {
-    const auto truth = detuned (solveStructure (driftedBeam()), { scatter, 0, 0, 0 }, 3);
+    const auto truth = detuned (solveStructure (softerBeam()), { scatter, 0, 0, 0 }, 3);
     auto wave = readWaveFile (pass / "voltages.wav");
 
     if (isLate)
@@ -86,7 +86,7 @@ void recordPass (const std::filesystem::path& pass, double signalScale, bool isL
     Eigen::MatrixXd shapes (3, truth.modes());
     shapes << shapesAt (truth, -0.061, 0), shapesAt (truth, 0.033, 0), shapesAt (truth, 0.07, 0);
     SimulatedBenchSettings bench;
-    bench.sampleRate = rate;
+    bench.sampleRate = learnRate;
     bench.delay = 0.0031;
     bench.signalToNoise = signalToNoise;
     const auto recording = simulateBench (truth, shapes, truth.fullScaleVoltage * wave.samples,
@@ -114,7 +114,7 @@ TEST_CASE ("learn finds the frequencies of a drifted beam from one play of a foc
     CHECK (summary["is_accepted"] == true);
     CHECK (summary["passes"].size() == 1);
     const auto learnt = solveStructure (loadDevice ((folder.path() / "pass2" / "device.json").string(), {}));
-    const auto right = solveStructure (driftedBeam());
+    const auto right = solveStructure (softerBeam());
 
     // The controlled ones, which were .5 % off: a tenth of that where the focus has little of a mode.
     for (Eigen::Index k = 0; k < 6; ++k)
@@ -142,7 +142,7 @@ TEST_CASE ("learn knows when ceramics act that lag behind each other", "[command
     auto lagging = solveStructure (loadDevice ("beam", {}));
 
     for (std::size_t i = 0; i < lagging.ceramics.size(); ++i)
-        lagging.ceramics[i].lag.delay = static_cast<double> (samplesLate (i)) / rate;
+        lagging.ceramics[i].lag.delay = static_cast<double> (samplesLate (i)) / learnRate;
 
     const auto device = folder.path() / "lagging.json";
     writeWholeFile (device, modalDeviceToJson (lagging, "").dump());
@@ -161,7 +161,7 @@ TEST_CASE ("learn knows when ceramics act that lag behind each other", "[command
     INFO (said);
     CHECK (said.find ("lags of ceramics: undone to") != std::string::npos);
     const auto learnt = solveStructure (loadDevice ((folder.path() / "pass2" / "device.json").string(), {}));
-    const auto right = solveStructure (driftedBeam());
+    const auto right = solveStructure (softerBeam());
 
     // They were .5 % off.
     for (Eigen::Index k = 0; k < 6; ++k)

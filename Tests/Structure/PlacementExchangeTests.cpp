@@ -47,18 +47,20 @@ TEST_CASE ("Ceramics move step by step to where they cost least, and never overl
     const auto candidates = row (40);
     std::atomic<int> asked { 0 };
     // Two wells, at 100 and 150 mm, so narrow steps lead there.
-    const auto cost = [&] (const std::vector<CeramicDescription>& ceramics)
+    const auto at = [&] (Eigen::Index candidate)
+    { return candidates.ceramics[static_cast<std::size_t> (candidate)].x; };
+    const auto cost = [&] (const std::vector<Eigen::Index>& pair)
     {
         ++asked;
-        return std::pow (ceramics[0].x - 0.1, 2) + std::pow (ceramics[1].x - 0.15, 2);
+        return std::pow (at (pair[0]) - 0.1, 2) + std::pow (at (pair[1]) - 0.15, 2);
     };
     const auto chosen = exchangeNeighbours (candidates, { 2, 36 }, cost);
     CHECK (chosen == std::vector<Eigen::Index> { 20, 30 });
     CHECK (asked > 20);
 
     // Both to the same place: they come to lie side by side.
-    const auto together = [] (const std::vector<CeramicDescription>& ceramics)
-    { return std::abs (ceramics[0].x - 0.1) + std::abs (ceramics[1].x - 0.1); };
+    const auto together = [&] (const std::vector<Eigen::Index>& pair)
+    { return std::abs (at (pair[0]) - 0.1) + std::abs (at (pair[1]) - 0.1); };
     const auto close = exchangeNeighbours (candidates, { 2, 36 }, together);
     CHECK_FALSE (candidates.overlap (close[0], close[1]));
     CHECK (close[1] - close[0] == 2);
@@ -79,7 +81,8 @@ TEST_CASE ("A device is solved with ceramics where they cost least", "[structure
         return sum;
     };
     const auto plain = placeCeramics (device, like, options);
-    options.cost = toLeft;
+    options.costOf = [&] (const PlacementCandidates& candidates) -> PlacementCost
+    { return [&] (const auto& chosen) { return toLeft (chosenCeramics (candidates, chosen)); }; };
     const auto moved = placeCeramics (device, like, options);
     CHECK (toLeft (moved.ceramics) < toLeft (plain.ceramics));
     CHECK (moved.ceramics.size() == 4);

@@ -67,6 +67,10 @@ TEST_CASE ("A plan that is wrong is refused with one sentence that says where an
     vary (R"("key": "focus.x_mm", "uniform": {"minimum": 2, "maximum": 1})", "is empty");
     vary (R"("key": "x_mm", "values": [1])", "is not a key");
     vary (R"("key": "deviation.colour_percent", "values": [1])", "is unknown");
+    vary (R"("key": "device", "values": ["beam", 1])", "varies 'device' by numbers");
+    vary (R"("key": "device", "uniform": {"minimum": 0, "maximum": 1})", "varies 'device' by numbers");
+    check (R"("device": "beam", "vary": [{"key": "device", "values": ["beam"]}])", "gives 'device' twice");
+    check (R"("set": {"device": "beam"})", "gives 'device'");
     vary (R"("key": "focus.device", "values": ["beam"])", "focus.device");
     vary (R"("keys": ["focus.a", "focus.a"], "values": [[1, 2]])", "twice");
     vary (R"("keys": ["focus.a", "focus.b"], "values": [[1, 2], [1]])", "entries");

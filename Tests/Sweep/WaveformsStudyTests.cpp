@@ -199,3 +199,25 @@ TEST_CASE ("Plans over waveforms that make no sense are refused with one sentenc
         "record": ["v_score"], "latency_ms": 5})");
     CHECK_THAT (errorText ([&] { loadSweep (folder.path() / "focus.json"); }), Catch::Contains ("is of waveforms"));
 }
+
+TEST_CASE ("Devices are a dimension of a plan, which keeps them", "[sweep][tracks]")
+{
+    const TemporaryFolder folder;
+    auto thick = loadDocument (LibraryKind::device, "beam");
+    thick["thickness_mm"] = 2 * thick["thickness_mm"].get<double>();
+    writeWholeFile (folder.path() / "thick.json", thick.dump());
+    const auto inputs =
+        inputsOfWaveforms (folder, recorded + R"(, "vary": [{"key": "device", "values": ["beam", "./thick.json"]},
+                                         {"key": "waveforms.tracks.0.level_um", "values": [0.1, 0.2]}])");
+    const auto own = inputsOfWaveforms (folder, recorded + R"(, "device": "./thick.json")");
+    std::filesystem::remove (folder.path() / "thick.json");
+    const CaseEvaluator evaluator (inputs, false);
+    evaluator.check();
+    const auto beam = evaluator.evaluate (0), thicker = evaluator.evaluate (2);
+    REQUIRE (thicker.error.empty());
+    CHECK (thicker.values == CaseEvaluator (own, false).evaluate (0).values);
+    CHECK (thicker.values[0] != beam.values[0]);
+
+    // Written and read again it is the same plan.
+    CHECK (sweepInputs (inputs.document, "elsewhere/plan.json").hash == inputs.hash);
+}

@@ -117,7 +117,8 @@ double smallestResponse (const PointResponses& nodes, const MovingPoints& moving
     return median (squares);
 }
 
-TrackWork trackWork (const ModalModel& model, const WaveformsDescription& description, const TrackSettings& settings)
+TrackProblem trackProblem (const ModalModel& model, const WaveformsDescription& description,
+                           const TrackSettings& settings)
 {
     const auto span = trackSpan (model, description, settings.sampleRate);
     requirePlaces (model.surface, description);
@@ -126,19 +127,28 @@ TrackWork trackWork (const ModalModel& model, const WaveformsDescription& descri
     const TouchedNodes nodes (model, description, span.rate);
     requireTrackMemory (trackBytes (model, description, span, nodes), static_cast<double> (span.wanted) / span.rate);
     requireDistinctPoints (model, description);
-    auto moving = nodes.weights (span.rate, span.lead, span.length);
-    auto responses = pointResponses (model, nodes.shapes(), touchedLoads (model, description), span.rate, span.length);
-    const auto compliance =
-        settings.regularisation * settings.regularisation * smallestResponse (responses, moving, description.band);
-    TrackWork work { span,
-                     WindowedResponses (std::move (responses), span.window, compliance, std::move (moving)),
-                     {},
-                     voltageLimits (model),
-                     slewLimits (model),
-                     settings.sampleRate };
-    work.wanted = Eigen::MatrixXd::Zero (span.length, work.responses.points());
-    work.wanted.middleRows (span.lead, span.wanted) = wantedMotion (description, settings.threshold, span.rate);
-    return work;
+    TrackProblem problem {
+        span, nodes.weights (span.rate, span.lead, span.length),
+        pointResponses (model, nodes.shapes(), touchedLoads (model, description), span.rate, span.length),
+        Eigen::MatrixXd::Zero (span.length, static_cast<Eigen::Index> (touchedPoints (description).size()))
+    };
+    problem.wanted.middleRows (span.lead, span.wanted) = wantedMotion (description, settings.threshold, span.rate);
+    return problem;
+}
+
+TrackWork trackWork (const ModalModel& model, const WaveformsDescription& description, const TrackSettings& settings)
+{
+    auto problem = trackProblem (model, description, settings);
+    const auto& span = problem.span;
+    auto& moving = problem.moving;
+    const auto compliance = settings.regularisation * settings.regularisation
+                            * smallestResponse (problem.responses, moving, description.band);
+    return { span,
+             WindowedResponses (std::move (problem.responses), span.window, compliance, std::move (moving)),
+             std::move (problem.wanted),
+             voltageLimits (model),
+             slewLimits (model),
+             settings.sampleRate };
 }
 
 Eigen::MatrixXd wantedAsPlayed (const ModalModel& model, const WaveformsDescription& description,

@@ -23,6 +23,19 @@ struct TrackSpan
     Eigen::Index length = 0; // of the transforms
 };
 
+/** What is asked of whatever ceramics play. */
+struct TrackProblem
+{
+    TrackSpan span;
+    MovingPoints moving;      // empty where nothing moves
+    PointResponses responses; // of the nodes
+    Eigen::MatrixXd wanted;   // length x points
+};
+
+/** The responses of a device at the rate of a design, and what is wanted. @throws InputError  as designTracks [worker]
+ */
+TrackProblem trackProblem (const ModalModel&, const WaveformsDescription&, const TrackSettings&);
+
 /** A design while it is made. */
 struct TrackWork
 {

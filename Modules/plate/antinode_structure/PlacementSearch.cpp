@@ -18,8 +18,7 @@ class NeighbourExchange
 public:
     NeighbourExchange (const PlacementCandidates& candidatesToUse, const PlacementCost& costToUse,
                        std::vector<Eigen::Index> chosenToBegin)
-        : candidates (candidatesToUse), cost (costToUse), chosen (std::move (chosenToBegin)),
-          least (cost (chosenCeramics (candidates, chosen)))
+        : candidates (candidatesToUse), cost (costToUse), chosen (std::move (chosenToBegin)), least (cost (chosen))
     {
     }
 
@@ -33,7 +32,7 @@ public:
         {
             auto others = chosen;
             others[place] = neighbours[i];
-            return cost (chosenCeramics (candidates, others));
+            return cost (others);
         };
         const auto costs =
             evaluateCases (neighbours.size(), costOf,

@@ -9,9 +9,12 @@
 
 namespace antinode
 {
-/** What ceramics cost on their device, less is better; infinite where they are of no use. Any number of threads may ask
-   at once. [worker] */
-using PlacementCost = std::function<double (const std::vector<CeramicDescription>&)>;
+/** What a choice of candidates, by their indices, costs, less is better; infinite where they are of no use. Any number
+   of threads may ask at once. [worker] */
+using PlacementCost = std::function<double (const std::vector<Eigen::Index>& chosen)>;
+
+/** Makes a cost of candidates, which outlive it. [worker] */
+using PlacementCostOf = std::function<PlacementCost (const PlacementCandidates&)>;
 
 /** Hears of the best choice so far. */
 using PlacementNews = std::function<void (const std::vector<CeramicDescription>&)>;

@@ -132,7 +132,7 @@ PlacedCeramics placeCeramics (const DeviceDescription& device, const CeramicDesc
     problem.participation = participation;
     problem.count = options.count;
     problem.exclude = [&] (Eigen::Index a, Eigen::Index b) { return candidates.overlap (a, b); };
-    const auto begins = options.cost ? 0.05 : 1.0; // The share of the work that the search is.
+    const auto begins = options.costOf ? 0.05 : 1.0; // The share of the work that the search is.
     const auto report = [&] (double share)
     {
         if (progress)
@@ -143,10 +143,11 @@ PlacedCeramics placeCeramics (const DeviceDescription& device, const CeramicDesc
     if (options.better)
         options.better (chosenCeramics (candidates, placement.chosen));
 
-    if (options.cost)
+    if (options.costOf)
     {
-        placement.chosen = exchangeNeighbours (candidates, placement.chosen, options.cost, options.better,
-                                               [&] (double share) { report (begins + (1 - begins) * share); });
+        placement.chosen =
+            exchangeNeighbours (candidates, placement.chosen, options.costOf (candidates), options.better,
+                                [&] (double share) { report (begins + (1 - begins) * share); });
         placement.controllability = worstControllability (problem.kernel, participation (Eigen::all, placement.chosen));
     }
 

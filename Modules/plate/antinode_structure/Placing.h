@@ -46,7 +46,7 @@ struct PlacingOptions
     CandidateGrid grid;
     Eigen::Index count = 0;  ///< How many ceramics.
     double duration = 0.025; ///< Time available to excite the modes, s.
-    PlacementCost cost;      ///< What the places are exchanged for in the end; none: controllability alone counts.
+    PlacementCostOf costOf;  ///< What the places are exchanged for in the end; none: controllability alone counts.
     PlacementNews better;    ///< Hears of the best places so far, from the calling thread.
     std::vector<KeepOut> keepOut;
     bool isResolved = true; ///< Whether the device is solved again with its ceramics.

@@ -332,6 +332,9 @@ nlohmann::ordered_json performedToJson (const PerformedWaveforms& performed)
     for (std::size_t p = 0; p < performed.scores.fingers.size(); ++p)
         json["fingers"].push_back (fingerJson (performed, p));
 
+    if (performed.tolerance)
+        json["tolerance"] = toleranceToJson (design.description, *performed.tolerance);
+
     json["felt_share"] = performed.felt.feltShare;
     json["threshold"] = performed.felt.threshold;
     json["power"] = powerToJson (performed.judge, performed.power);

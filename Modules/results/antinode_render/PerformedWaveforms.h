@@ -3,6 +3,7 @@
 #include "FeltOutcome.h"
 #include "PlayedTracks.h"
 #include "PowerFlow.h"
+#include "WaveformsTolerance.h"
 
 #include <antinode_engine/LagFilters.h>
 #include <antinode_focus/FocusDesign.h>
@@ -29,6 +30,7 @@ struct PerformedWaveforms
     std::optional<UndoneLags> undone; ///< What is asked for so that ceramics get the designed voltages, where they lag.
     std::vector<double> expected; ///< dB: TrackScores::suppression of each finger to expect on the device itself; empty
                                   ///< where nobody estimated it.
+    std::optional<WaveformsTolerance> tolerance; ///< Where it was asked for.
     std::optional<double> likeness; ///< Of voltages from elsewhere: how alike reached and wanted motions are, -1 to 1.
 };
 

@@ -160,8 +160,11 @@ ReportPage sweepReport (const SweepTable& table, const SweepSummary& summary)
     ReportPage page;
     page.title = (plan.name.empty() ? std::string ("Sweep") : plan.name);
     const auto& played = plan.isOfWaveforms() ? table.inputs.waveforms() : table.inputs.focus();
-    page.subtitle = played.value ("name", "") + " on " + table.inputs.device().value ("name", "") + ", "
-                    + std::to_string (plan.cases) + " cases, seed " + std::to_string (plan.seed);
+    const auto devices = plan.variedDevices().size();
+    page.subtitle =
+        played.value ("name", "") + " on "
+        + (devices == 0 ? table.inputs.device ({}).value ("name", "") : std::to_string (devices) + " devices") + ", "
+        + std::to_string (plan.cases) + " cases, seed " + std::to_string (plan.seed);
 
     for (const auto& column : summary.columns)
         if (column.count > 0 && page.scores.size() < shownScores)

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace antinode
 {
@@ -260,6 +261,37 @@ ReportSection trackVoltageSection (const PerformedWaveforms& performed)
     return section;
 }
 
+ReportSection toleranceSection (const WaveformsDescription& description, const WaveformsTolerance& tolerance)
+{
+    ReportTable table {
+        "Percentiles over the devices: felt levels (dB SL) and unwanted motion over the strongest track "
+        "(dB)",
+        { "finger", "result" },
+        {}
+    };
+
+    for (const auto percent : tolerancePercents)
+        table.header.push_back (fixedText (percent, 0) + " %");
+
+    for (Eigen::Index p = 0; p < tolerance.levels.cols(); ++p)
+        for (const auto& [result, draws] :
+             { std::pair ("felt", &tolerance.levels), { "error", &tolerance.suppression } })
+        {
+            table.rows.push_back ({ fingerName (description, static_cast<std::size_t> (p)), result });
+            const auto column = draws->col (p);
+
+            for (const auto value : computePercentiles ({ column.begin(), column.end() }))
+                table.rows.back().push_back (fixedText (value, 1));
+        }
+
+    ReportSection section;
+    section.heading = "On devices that deviate";
+    section.paragraphs = { "The same voltages on " + std::to_string (tolerance.options.draws)
+                           + " random devices around the model; tolerance.csv has all of them." };
+    section.tables.push_back (std::move (table));
+    return section;
+}
+
 std::vector<ReportScore> waveformScores (const PerformedWaveforms& performed)
 {
     const auto& description = performed.design.description;
@@ -307,6 +339,10 @@ ReportPage waveformsReport (const PerformedWaveforms& performed)
     page.warnings = performed.design.warnings;
     page.sections = { waveformSection (performed), elsewhereSection (performed), trackVoltageSection (performed),
                       powerSection (performed.judge, performed.power) };
+
+    if (performed.tolerance)
+        page.sections.push_back (toleranceSection (description, *performed.tolerance));
+
     page.links = { { "summary.json", "summary.json" } };
     page.footer = "Antinode " ANTINODE_VERSION
                   ". The waveforms are computed in time by a model of more modes than the design knows.";

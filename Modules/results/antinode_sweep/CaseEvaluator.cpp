@@ -44,6 +44,19 @@ nlohmann::json assigned (nlohmann::json document, const CaseKeys& keys)
     return document;
 }
 
+nlohmann::json deviceDocument (const SweepInputs& inputs, const CaseKeys& keys)
+{
+    const auto varied =
+        std::find_if (keys.begin(), keys.end(), [] (const auto& each) { return each.first == "device"; });
+    return assigned (inputs.device (varied == keys.end() ? std::string() : varied->second.get<std::string>()),
+                     keysOf (keys, "device."));
+}
+
+std::string deviceText (const CaseKeys& keys)
+{
+    return textOf (keysOf (keys, "device"));
+}
+
 namespace
 {
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();

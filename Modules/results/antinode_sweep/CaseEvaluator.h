@@ -51,6 +51,12 @@ std::string textOf (const CaseKeys&);
 /** A document with its keys. @throws InputError  where there is no place for one [worker] */
 nlohmann::json assigned (nlohmann::json, const CaseKeys&);
 
+/** The device of a case, with its keys. @throws InputError  where there is no place for one [worker] */
+nlohmann::json deviceDocument (const SweepInputs&, const CaseKeys&);
+
+/** What it depends on. [any] */
+std::string deviceText (const CaseKeys&);
+
 /** Computes cases of a plan, on any number of threads. What several cases share, devices and designs, is made once. The
    same case gives the same numbers, whatever was computed before. */
 class CaseEvaluator

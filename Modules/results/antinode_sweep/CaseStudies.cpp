@@ -58,16 +58,14 @@ FocusStudy::FocusStudy (const SweepInputs& inputs, bool usesCacheToUse)
 
 void FocusStudy::check (const CaseKeys& all) const
 {
-    readDevice (assigned (given.device(), keysOf (all, "device.")), "case 0: device");
+    readDevice (deviceDocument (given, all), "case 0: device");
     focusFromDocument (assigned (given.focus(), keysOf (all, "focus.")), "case 0: focus", "focus");
 }
 
 std::shared_ptr<const Setup> FocusStudy::deviceOf (const CaseKeys& all) const
 {
-    const auto keys = keysOf (all, "device.");
-    const auto solve = [&]
-    { return setUp (readDevice (assigned (given.device(), keys), "device"), playback, usesCache); };
-    return devices.get (textOf (keys), solve);
+    const auto solve = [&] { return setUp (readDevice (deviceDocument (given, all), "device"), playback, usesCache); };
+    return devices.get (deviceText (all), solve);
 }
 
 std::shared_ptr<const FocusStudy::MadeDesign> FocusStudy::designOf (const CaseKeys& all) const
@@ -85,7 +83,7 @@ std::shared_ptr<const FocusStudy::MadeDesign> FocusStudy::designOf (const CaseKe
         design.wantedPeak = largestWanted (model.surface, moment.targets, focus.edgeWindow);
         return design;
     };
-    return designs.get (textOf (keysOf (all, "device.")) + "\n" + textOf (keys), make);
+    return designs.get (deviceText (all) + "\n" + textOf (keys), make);
 }
 
 nlohmann::ordered_json FocusStudy::closedForm (const MadeDesign& designed, const Deviation& deviation,
@@ -161,24 +159,22 @@ WaveformsDescription WaveformsStudy::waveformsOf (const CaseKeys& all, const std
 
 void WaveformsStudy::check (const CaseKeys& all) const
 {
-    readDevice (assigned (given.device(), keysOf (all, "device.")), "case 0: device");
+    readDevice (deviceDocument (given, all), "case 0: device");
     waveformsOf (all, "case 0: waveforms");
 }
 
 nlohmann::ordered_json WaveformsStudy::summary (const CaseKeys& all, const Deviation& deviation,
                                                 std::uint64_t seed) const
 {
-    const auto deviceKeys = keysOf (all, "device.");
-    const auto models =
-        devices.get (textOf (deviceKeys), [&]
-                     { return trackModels (readDevice (assigned (given.device(), deviceKeys), "device"), usesCache); });
+    const auto solve = [&] { return trackModels (readDevice (deviceDocument (given, all), "device"), usesCache); };
+    const auto models = devices.get (deviceText (all), solve);
     const auto make = [&]
     {
         const auto waveforms = waveformsOf (all, "waveforms");
         return settings.latency > 0 ? designLiveTracks (models->known, waveforms, settings)
                                     : designTracks (models->known, waveforms, settings);
     };
-    const auto design = designs.get (textOf (deviceKeys) + "\n" + textOf (keysOf (all, "waveforms.")), make);
+    const auto design = designs.get (deviceText (all) + "\n" + textOf (keysOf (all, "waveforms.")), make);
 
     if (deviation.isNone())
         return performedToJson (performDesigned (models->judge, *design, settings.threshold));

@@ -43,6 +43,18 @@ nlohmann::json playedDocument (LibraryKind kind, const nlohmann::json& json, con
     return withRecordings (withHapticFiles (std::move (document), folder), source, folder);
 }
 
+nlohmann::json variedDocuments (const SweepPlan& plan, const std::filesystem::path& file)
+{
+    nlohmann::json documents;
+
+    for (const auto& name : plan.variedDevices())
+        documents[name] = plan.devices.is_object() && plan.devices.contains (name)
+                              ? plan.devices[name]
+                              : loadDocument (LibraryKind::device, nameFrom (name, file));
+
+    return documents;
+}
+
 nlohmann::json deviceDocument (const SweepPlan& plan, const std::filesystem::path& file)
 {
     if (plan.device.is_object())
@@ -64,14 +76,19 @@ SweepInputs sweepInputs (nlohmann::json document, const std::filesystem::path& f
     SweepInputs inputs;
     inputs.document = std::move (document);
     inputs.plan = readSweepPlan (inputs.document, file.string());
-    const auto device = deviceDocument (inputs.plan, file);
+    auto devices = variedDocuments (inputs.plan, file);
+    const auto device = devices.is_null() ? deviceDocument (inputs.plan, file) : nlohmann::json();
 
     if (inputs.plan.isOfWaveforms())
         inputs.document["waveforms"] = playedDocument (LibraryKind::waveforms, inputs.plan.waveforms, file);
     else
         inputs.document["focus"] = playedDocument (LibraryKind::focus, inputs.plan.focus, file);
 
-    inputs.document["device"] = device;
+    if (devices.is_null())
+        inputs.document["device"] = device;
+    else
+        inputs.document["devices"] = std::move (devices);
+
     inputs.hash = hashOf (inputs.document.dump());
     return inputs;
 }

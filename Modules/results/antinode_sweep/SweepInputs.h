@@ -18,7 +18,12 @@ struct SweepInputs
 
     const nlohmann::json& focus() const { return document.at ("focus"); }
     const nlohmann::json& waveforms() const { return document.at ("waveforms"); }
-    const nlohmann::json& device() const { return document.at ("device"); }
+
+    /** Of a case with this "device"; empty: the one of all cases. [any] */
+    const nlohmann::json& device (const std::string& name) const
+    {
+        return name.empty() ? document.at ("device") : document.at ("devices").at (name);
+    }
 };
 
 /** A plan and its documents from the plan's document.

@@ -101,6 +101,21 @@ void checkUnique (const JsonValue& root, const SweepPlan& plan)
             add (key);
 }
 
+/** Devices that vary have names, and the plan gives no other one. */
+void checkDevices (const JsonValue& root, const SweepPlan& plan)
+{
+    for (const auto& swept : plan.vary)
+        for (std::size_t k = 0; k < swept.keys.size(); ++k)
+            if (swept.keys[k] == "device"
+                && (swept.drawn
+                    || std::any_of (swept.rows.begin(), swept.rows.end(),
+                                    [&] (const auto& row) { return ! row[k].is_string(); })))
+                root.fail ("varies 'device' by numbers; allowed: 'values' that are names or files");
+
+    if (! plan.variedDevices().empty() && ! plan.device.is_null())
+        root.fail ("gives 'device' twice; allowed: once, of the plan or in 'vary'");
+}
+
 /** A name, a file's name, or a whole document. */
 nlohmann::json readDocument (const JsonValue& value, const nlohmann::json& json)
 {
@@ -149,6 +164,14 @@ void readPlayed (const JsonObject& object, const nlohmann::json& document, Sweep
     if (const auto device = object.optional ("device"))
         plan.device = readDocument (*device, document["device"]);
 
+    if (const auto devices = object.optional ("devices"))
+    {
+        if (! devices->isObject())
+            devices->fail (devices->description() + "; allowed: an object of names and documents");
+
+        plan.devices = document["devices"];
+    }
+
     if (plan.isOfWaveforms())
         plan.sampleRate = usualTrackRate;
 
@@ -171,13 +194,26 @@ void readPlayed (const JsonObject& object, const nlohmann::json& document, Sweep
 }
 } // namespace
 
+std::vector<std::string> SweepPlan::variedDevices() const
+{
+    std::vector<std::string> names;
+
+    for (const auto& swept : vary)
+        for (std::size_t k = 0; k < swept.keys.size(); ++k)
+            if (swept.keys[k] == "device")
+                for (const auto& row : swept.rows)
+                    names.push_back (row[k].get<std::string>());
+
+    return names;
+}
+
 SweepPlan readSweepPlan (const nlohmann::json& document, const std::string& source)
 {
     const JsonValue root (document, source);
     root.requireSchema (schema);
     const auto object =
-        root.object ({ "schema", "name", "description", "focus", "waveforms", "device", "seed", "cases", "scheme",
-                       "set", "vary", "evaluate", "record", "points_mm", "rate_Hz", "latency_ms" });
+        root.object ({ "schema", "name", "description", "focus", "waveforms", "device", "devices", "seed", "cases",
+                       "scheme", "set", "vary", "evaluate", "record", "points_mm", "rate_Hz", "latency_ms" });
     SweepPlan plan;
 
     if (const auto value = object.optional ("name"))
@@ -203,7 +239,12 @@ SweepPlan readSweepPlan (const nlohmann::json& document, const std::string& sour
             value.fail (value.description() + "; allowed: an object of keys and their values");
 
         for (const auto& [key, json] : entries.items())
+        {
+            if (key == "device")
+                value.fail ("gives 'device'; allowed: 'device' of the plan or in 'vary'");
+
             plan.set.emplace_back (readSweptKey (value, key), readScalar (value.required (key), json));
+        }
     }
 
     if (const auto value = object.optional ("vary"))
@@ -215,6 +256,7 @@ SweepPlan readSweepPlan (const nlohmann::json& document, const std::string& sour
     }
 
     checkDocuments (root, plan);
+    checkDevices (root, plan);
     checkUnique (root, plan);
     plan.cases = readCases (object, root, plan);
     readRecord (object, plan);
@@ -366,13 +408,16 @@ std::string readSweptKey (const JsonValue& value, const std::string& key)
     }
 
     if (key == "focus.device" || key == "waveforms.device")
-        value.fail ("is " + inQuotes (key) + "; allowed: the plan's own key 'device', one for all cases");
+        value.fail ("is " + inQuotes (key) + "; allowed: the plan's own key 'device', or 'device' in 'vary'");
+
+    if (key == "device")
+        return key;
 
     if (! (key.starts_with ("device.") || key.starts_with ("focus.") || key.starts_with ("waveforms."))
         || key.ends_with ('.') || key.find ("..") != std::string::npos || key.find ('=') != std::string::npos)
         value.fail (inQuotes (key)
-                    + " is not a key; allowed: device.KEY, focus.KEY, waveforms.KEY or deviation.KEY, for example "
-                      "focus.targets.0.x_mm");
+                    + " is not a key; allowed: device, device.KEY, focus.KEY, waveforms.KEY or deviation.KEY, for "
+                      "example focus.targets.0.x_mm");
 
     return key;
 }

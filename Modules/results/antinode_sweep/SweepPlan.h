@@ -43,6 +43,8 @@ struct SweepPlan
     std::string name;
     nlohmann::json focus, waveforms; ///< A name or a file's name, or the document itself: one of them; the other null.
     nlohmann::json device;           ///< The same; null: the one that focus or waveforms name.
+    nlohmann::json
+        devices; ///< Where "device" varies: documents by what it is given; null: they are read by these names.
     SweepScheme scheme = SweepScheme::grid;
     std::uint64_t seed = 1;
     std::uint64_t cases = 1;                                 ///< All of them.
@@ -55,6 +57,9 @@ struct SweepPlan
     double latency = 0;                            ///< s: of live waveforms.
 
     bool isOfWaveforms() const { return ! waveforms.is_null(); }
+
+    /** What "device" is given where it varies: names or files; else nothing. [any] */
+    std::vector<std::string> variedDevices() const;
 };
 
 /** How many cases a plan may have, and how many values of one case may be recorded. */
@@ -67,7 +72,7 @@ inline constexpr std::size_t maximumSweepColumns = 1000;
     [worker] */
 SweepPlan readSweepPlan (const nlohmann::json&, const std::string& source);
 
-/** A key as --set has it, or one of a deviation. @param value  whose place errors name
+/** A key as --set has it, one of a deviation, or "device". @param value  whose place errors name
     @throws InputError  when it is neither [worker] */
 std::string readSweptKey (const JsonValue& value, const std::string& key);
 

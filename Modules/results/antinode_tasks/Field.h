@@ -55,6 +55,12 @@ struct OptionalDevice
     std::optional<DeviceDescription>* device = nullptr;
 };
 
+/** Waveforms or none. */
+struct OptionalWaveforms
+{
+    std::optional<WaveformsDescription>* waveforms = nullptr;
+};
+
 /** The sheet of an excitation or none, of Python only. */
 struct OptionalSheet
 {
@@ -77,8 +83,8 @@ using FieldValue =
                  std::optional<std::string>*, std::filesystem::path*, std::vector<std::string>*,
                  std::vector<std::filesystem::path>*, std::vector<double>*, std::vector<int>*, NumberRows, TextRows,
                  WordFlag, Eigen::MatrixX2d*, std::optional<Eigen::MatrixXd>*, PlayFunction*, DeviceDescription*,
-                 OptionalDevice, FocusDescription*, FocusOrDesign, FocusSeries, std::vector<FocusDescription>*,
-                 WaveformsDescription*, OptionalSheet>;
+                 std::vector<DeviceDescription>*, OptionalDevice, FocusDescription*, FocusOrDesign, FocusSeries,
+                 std::vector<FocusDescription>*, WaveformsDescription*, OptionalWaveforms, OptionalSheet>;
 
 /** A field of a request, described once: the options of the command line, --help, the man page, and the keywords,
    checks, docstrings and types of Python are made of it. [any] */

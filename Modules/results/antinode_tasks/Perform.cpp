@@ -7,7 +7,6 @@
 #include <antinode_base/Prefixes.h>
 #include <antinode_base/WholeFile.h>
 #include <antinode_documents/DesignFile.h>
-#include <antinode_documents/Library.h>
 #include <antinode_documents/SkinThresholds.h>
 #include <antinode_engine/LagFilters.h>
 #include <antinode_learning/RecordingDelays.h>
@@ -40,22 +39,6 @@ void writeFingers (OutputFolder& folder, const PerformedWaveforms& performed)
                       encodeWave (played.displacements.row (p), loudest, played.sampleRate));
 }
 
-/** @throws InputError  for a point that moves */
-void putAt (TouchedPoint& point, const std::pair<double, double>& place)
-{
-    if (! point.path.empty())
-        throw InputError ("--at", "gives a place to a track with a path; allowed: tracks that stay");
-
-    point.x = place.first;
-    point.y = place.second;
-
-    if (point.finger)
-    {
-        point.finger->x = point.x;
-        point.finger->y = point.y;
-    }
-}
-
 /** What the voltages of a file do, 1.0 of which is the device's full scale. */
 PerformedWaveforms judgePlayed (const std::filesystem::path& file, const ModalModel& known, const ModalModel& judge,
                                 const WaveformsDescription& description, TrackSettings settings,
@@ -86,72 +69,61 @@ std::vector<Field> fields (PerformRequest& request)
             .usually ("glass-148x210")
             .by ("the one that the waveforms name, else glass-148x210")
             .positional(),
-        Field ("--at",
-               NumberRows { "X or X,Y in mm, for example 38,30", 1, 2, true,
-                            [&request] (const auto& place) {
-                                request.places.emplace_back (place[0] / milli, place.size() > 1 ? place[1] / milli : 0);
-                            } },
-               "Place of a track, mm, in their order; a single track is played at each place (repeatable)")
-            .as ("at_mm")
-            .written ("X,Y", ',')
-            .by ("the places of the waveforms"),
-        Field ("--level-db-sl", &request.sensation,
-               "Level of the tracks, of haptic content at intensity 1, dB over threshold")
-            .as ("level_dB_SL")
-            .within (-60, 120)
-            .by ("that of the waveforms, else 25"),
-        Field ("--level-um", &request.displacement, "The same as the largest displacement, um")
-            .in (micro)
-            .within (1e-6, 1e6)
-            .by ("that of the waveforms")
-            .without ("--level-db-sl"),
-        Field ("--rate", &request.sampleRate, "Sample rate, Hz").as ("sample_rate_Hz").within (1000, 2e6),
-        Field ("--latency-ms", &request.latency,
-               "Voltages follow the tracks as live inputs, by filters with this latency, ms, for example 5")
-            .in (milliseconds)
-            .within (0.1, 100)
-            .by ("the whole event is known"),
-        Field ("--threshold", &request.thresholdFile, "Threshold of skin: CSV of Hz and um").by ("the built-in table"),
-        Field ("--correct", &request.passes,
-               "Folder of an earlier pass with recorded.csv or recorded.wav in it (repeatable, in order)")
-            .as ("passes")
-            .written ("FOLDER")
-            .without ("--latency-ms"),
-        Field ("--longest-latency-ms", &request.longestLatency,
-               "Longest latency of each recording in the search, ms; 0: it begins with its voltages")
-            .in (milliseconds)
-            .within (0, 200)
-            .with ("--correct"),
-        cacheField (request.usesCache),
     };
+    append (all, fields (request.at));
+    append (all,
+            {
+                Field ("--rate", &request.sampleRate, "Sample rate, Hz").as ("sample_rate_Hz").within (1000, 2e6),
+                Field ("--latency-ms", &request.latency,
+                       "Voltages follow the tracks as live inputs, by filters with this latency, ms, for example 5")
+                    .in (milliseconds)
+                    .within (0.1, 100)
+                    .by ("the whole event is known"),
+                Field ("--threshold", &request.thresholdFile, "Threshold of skin: CSV of Hz and um")
+                    .by ("the built-in table"),
+                Field ("--correct", &request.passes,
+                       "Folder of an earlier pass with recorded.csv or recorded.wav in it (repeatable, in order)")
+                    .as ("passes")
+                    .written ("FOLDER")
+                    .without ("--latency-ms"),
+                Field ("--longest-latency-ms", &request.longestLatency,
+                       "Longest latency of each recording in the search, ms; 0: it begins with its voltages")
+                    .in (milliseconds)
+                    .within (0, 200)
+                    .with ("--correct"),
+                cacheField (request.usesCache),
+                Field ("--tolerance", &request.hasTolerance,
+                       "Plays the voltages on devices that differ from the model: levels and errors at the fingers"),
+            });
+
+    for (auto& field : fields (request.devices))
+        all.push_back (field.with ("--tolerance"));
+
     append (all, fields (request.sensor));
     return all;
 }
 
-WaveformsDescription placedWaveforms (const PerformRequest& request)
+ReachedWaveforms performWithinLimits (const TrackModels& models, WaveformsDescription waveforms,
+                                      const TrackSettings& settings)
 {
-    auto waveforms = request.waveforms;
-    auto& tracks = waveforms.tracks;
-    const auto& places = request.places;
+    constexpr double below = 0.999; // the next design is another one
+    double share = 1;
 
-    if (! places.empty() && tracks.size() == 1)
-        tracks.resize (places.size(), Track (tracks.front()));
+    while (true)
+    {
+        try
+        {
+            return { performWaveforms (models.known, models.judge, waveforms, settings), share };
+        }
+        catch (const TrackLimitError& error)
+        {
+            for (auto& track : waveforms.tracks)
+                for (auto& event : track.events)
+                    event.amplitude *= below * error.share;
 
-    if (! places.empty() && places.size() != tracks.size())
-        throw InputError ("--at", "gives " + std::to_string (places.size())
-                                      + " places; allowed: " + std::to_string (tracks.size()) + ", one per track");
-
-    for (std::size_t i = 0; i < places.size(); ++i)
-        putAt (tracks[i].point, places[i]);
-
-    for (auto& track : tracks)
-        for (auto& event : track.events)
-            if (request.displacement)
-                event.level = { LevelKind::displacement, *request.displacement };
-            else if (request.sensation)
-                event.level = { LevelKind::sensation, *request.sensation };
-
-    return withSummedTracks (std::move (waveforms));
+            share *= below * error.share;
+        }
+    }
 }
 
 PerformedWaveforms perform (const PerformRequest& request, const ShowProgress& show)
@@ -164,7 +136,7 @@ PerformedWaveforms perform (const PerformRequest& request, const ShowProgress& s
     if (show)
         show ("Modes of the device", 0);
 
-    const auto waveforms = placedWaveforms (request);
+    const auto waveforms = placedWaveforms (request.waveforms, request.at);
     const auto [known, judge] = trackModels (request.device, request.usesCache);
     requirePlaces (judge.surface, waveforms);
 
@@ -173,7 +145,13 @@ PerformedWaveforms perform (const PerformRequest& request, const ShowProgress& s
 
     const auto passes = withoutLatency (readRecordedPasses (request.passes, known, waveforms.band, request.sensor),
                                         known, waveforms, request.sampleRate, request.longestLatency);
-    return performWaveforms (known, judge, waveforms, settings, show, passes);
+    auto performed = performWaveforms (known, judge, waveforms, settings, show, passes);
+
+    if (request.hasTolerance)
+        performed.tolerance = waveformsTolerance (judge, performed.design, settings.threshold,
+                                                  toleranceOptions (request.devices, spreadOf (judge.origin)), show);
+
+    return performed;
 }
 
 void writePerformed (const std::filesystem::path& path, const PerformedWaveforms& performed,
@@ -183,6 +161,9 @@ void writePerformed (const std::filesystem::path& path, const PerformedWaveforms
     folder.write ("voltages.wav", encodeWave (outputVoltages (performed), performed.judge.fullScaleVoltage,
                                               performed.played.sampleRate));
     writeFingers (folder, performed);
+
+    if (performed.tolerance)
+        folder.write ("tolerance.csv", toleranceToCsv (*performed.tolerance));
 
     if (extras.hasReport)
         folder.write ("report.html", renderReport (waveformsReport (performed)));

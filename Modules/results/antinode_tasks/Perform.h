@@ -1,9 +1,12 @@
 #pragma once
 
+#include "DrawnDevices.h"
 #include "Field.h"
 #include "RecordedSignals.h"
+#include "TracksAt.h"
 
 #include <antinode_base/Progress.h>
+#include <antinode_documents/Library.h>
 #include <antinode_model/ModalModel.h>
 #include <antinode_render/PerformedWaveforms.h>
 #include <antinode_render/PlayedTracks.h>
@@ -12,7 +15,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace antinode
@@ -26,10 +28,7 @@ struct PerformRequest
 {
     WaveformsDescription waveforms;
     DeviceDescription device;
-    std::vector<std::pair<double, double>>
-        places;                                ///< m: of the tracks, in their order; of one track any number of copies.
-    std::optional<double> displacement;        ///< m: the level of all events, times their amplitudes.
-    std::optional<double> sensation;           ///< dB over threshold: the same.
+    TracksAt at;
     double sampleRate = 48000;                 ///< Hz
     std::optional<double> latency;             ///< s, of live inputs; none: the whole event is known.
     std::filesystem::path thresholdFile;       ///< What skin feels; empty: the built-in table.
@@ -37,15 +36,24 @@ struct PerformRequest
     double longestLatency = 0;                 ///< s, of recordings; 0: they begin with their voltages.
     SensorScale sensor;
     std::filesystem::path played; ///< Voltages that were recorded elsewhere are judged; empty: they are designed.
+    bool hasTolerance = false;    ///< Whether the voltages are played on devices that deviate, too:
+    DrawnDevices devices;
     bool usesCache = true;
 };
 
 /** [any] */
 std::vector<Field> fields (PerformRequest&);
 
-/** The waveforms of a request at its places and with its level. @throws InputError  for another number of places than
-   of tracks, a place for a track with a path [any] */
-WaveformsDescription placedWaveforms (const PerformRequest&);
+/** Waveforms as strong as the limits of a device allow. */
+struct ReachedWaveforms
+{
+    PerformedWaveforms performed;
+    double share = 1; ///< Of their levels; less where the limits allow no more.
+};
+
+/** Designs and plays waveforms: at their levels, or at the share of these that the limits allow.
+    @throws InputError  as performWaveforms [worker] */
+ReachedWaveforms performWithinLimits (const TrackModels&, WaveformsDescription, const TrackSettings&);
 
 /** @throws InputError, LimitError  as placedWaveforms, performWaveforms and readRecordedPasses [worker] */
 PerformedWaveforms perform (const PerformRequest&, const ShowProgress&);

@@ -1,17 +1,15 @@
 #include "Place.h"
 
+#include "PlacementOutcomes.h"
+
 #include <antinode_base/InputError.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_documents/DeviceFile.h>
-#include <antinode_focus/DesignFocus.h>
-#include <antinode_focus/LimitUse.h>
-#include <antinode_render/RenderedFocus.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 namespace antinode
@@ -113,8 +111,10 @@ PlacingOptions placingOptions (const PlaceRequest& request, const CeramicDescrip
     if (request.duration)
         placing.duration = *request.duration;
 
-    if (! request.focuses.empty())
-        placing.cost = peakVoltageCost (request.device, request.focuses);
+    if (request.waveforms)
+        placing.costOf = waveformsCost (request);
+    else if (! request.focuses.empty())
+        placing.costOf = peakVoltageCost (request.device, request.focuses);
 
     return placing;
 }
@@ -140,7 +140,7 @@ std::vector<Field> fields (PlaceRequest& request)
 {
     constexpr double millimetres = 1000, milliseconds = 1000;
     auto* const r = &request;
-    return {
+    std::vector<Field> all {
         Field ("device", &r->device, "Device: an embedded name or a .json file")
             .usually ("aluminium-200x120")
             .positional(),
@@ -162,18 +162,31 @@ std::vector<Field> fields (PlaceRequest& request)
         Field ("--focus", &r->focuses,
                "Places for the voltage that this focus needs, an embedded name or a .json file (repeatable)")
             .as ("focuses"),
-        Field ("--keep-out-mm",
-               NumberRows { "X0,Y0,X1,Y1 in mm", 4, 4, true,
-                            [r] (const auto& numbers) { r->keepOut.push_back (keepOutOf (numbers)); } },
-               "Rectangle without ceramics, mm (repeatable)")
-            .written ("X0,Y0,X1,Y1", ','),
-        Field ("--modes", &r->modes, "Number of the lowest modes to excite").within (1, 200),
-        Field ("--focus-time-ms", &r->duration, "Time available to excite the modes, ms")
-            .in (milliseconds)
-            .within (0.1, 60000)
-            .by ("25"),
-        Field ("--frozen", &r->isFrozen, "Does not solve the device again with the placed ceramics"),
+        Field ("--waveforms", OptionalWaveforms { &r->waveforms },
+               "Places for what these waveforms need: an embedded name, a .json file or haptic content")
+            .without ("--focus"),
+        Field ("--least", &r->least, "What the waveforms are to need least of")
+            .oneOf ({ "volts", "energy" })
+            .with ("--waveforms"),
     };
+    for (auto& field : fields (r->at))
+        all.push_back (field.with ("--waveforms"));
+
+    append (all,
+            {
+                Field ("--keep-out-mm",
+                       NumberRows { "X0,Y0,X1,Y1 in mm", 4, 4, true,
+                                    [r] (const auto& numbers) { r->keepOut.push_back (keepOutOf (numbers)); } },
+                       "Rectangle without ceramics, mm (repeatable)")
+                    .written ("X0,Y0,X1,Y1", ','),
+                Field ("--modes", &r->modes, "Number of the lowest modes to excite").within (1, 200),
+                Field ("--focus-time-ms", &r->duration, "Time available to excite the modes, ms")
+                    .in (milliseconds)
+                    .within (0.1, 60000)
+                    .by ("25"),
+                Field ("--frozen", &r->isFrozen, "Does not solve the device again with the placed ceramics"),
+            });
+    return all;
 }
 
 PlacedCeramics placed (const PlaceRequest& request, const PlacementNews& better, const ShowProgress& show)
@@ -208,64 +221,5 @@ PlacedDevice place (const PlaceRequest& request, const ShowProgress& show)
 {
     auto found = placed (request, {}, show);
     return { placedDevice (request, found.ceramics).dump(), std::move (found) };
-}
-
-namespace
-{
-constexpr Playback playback { Reconstruction::bandLimited, 192000 };
-
-/** A model of which nothing limits the drives. */
-ModalModel unlimitedModel (const ModalModel& device)
-{
-    auto model = withoutVoltageLimits (device);
-
-    for (auto& ceramic : model.ceramics)
-        ceramic.slewLimit = 0;
-
-    return model;
-}
-
-FocusDesign designUnlimited (const ModalModel& model, FocusDescription focus)
-{
-    focus.allocation.voltageLimit.reset();
-    return designFocus (model, focus, playback, DesignExtent::playable);
-}
-} // namespace
-
-std::vector<PlacementOutcome> placementOutcomes (const ModalModel& device, const std::vector<FocusDescription>& focuses)
-{
-    const auto model = unlimitedModel (device);
-    std::vector<PlacementOutcome> outcomes;
-
-    for (const auto& focus : focuses)
-    {
-        const auto rendered = renderFocus (model, designUnlimited (model, focus), { playback, {}, {} });
-        outcomes.push_back ({ focus.name, rendered.render.voltages.cwiseAbs().maxCoeff(),
-                              voltageLimits (device).maxCoeff(), rendered.score.fieldError, rendered.contrast });
-    }
-
-    return outcomes;
-}
-
-PlacementCost peakVoltageCost (const DeviceDescription& device, const std::vector<FocusDescription>& focuses)
-{
-    return [=] (const std::vector<CeramicDescription>& ceramics)
-    {
-        double highest = 0;
-
-        try
-        {
-            const auto model = unlimitedModel (solveStructure (withCeramics (device, ceramics)));
-
-            for (const auto& focus : focuses)
-                highest = std::max (highest, peakVoltage (designUnlimited (model, focus)));
-        }
-        catch (const InputError&)
-        {
-            return std::numeric_limits<double>::infinity(); // these ceramics cannot reach it
-        }
-
-        return highest;
-    };
 }
 } // namespace antinode

@@ -1,12 +1,11 @@
 #pragma once
 
 #include "Field.h"
+#include "TracksAt.h"
 
 #include <antinode_base/Progress.h>
 #include <antinode_focus/FocusDescription.h>
-#include <antinode_model/ModalModel.h>
 #include <antinode_structure/DeviceDescription.h>
-#include <antinode_structure/PlacementSearch.h>
 #include <antinode_structure/Placing.h>
 
 #include <nlohmann/json_fwd.hpp>
@@ -30,7 +29,10 @@ struct PlaceRequest
     std::optional<double> step, edgeDistance, duration; ///< m, m, s
     double freeEdge = 2e-3;                             ///< m
     int modes = 40;
-    std::vector<FocusDescription> focuses; ///< Whose voltage counts; empty: controllability does.
+    std::vector<FocusDescription> focuses;         ///< Whose voltage counts; empty: controllability does.
+    std::optional<WaveformsDescription> waveforms; ///< Which count in place of focuses, where and how strongly:
+    TracksAt at;
+    std::string least = "volts"; ///< What these are to need least of, or "energy".
     std::vector<KeepOut> keepOut;
     bool isFrozen = false; ///< The device is not solved again with the placed ceramics.
 };
@@ -54,22 +56,4 @@ struct PlacedDevice
 
 /** @throws InputError  as placed [worker, on all cores] */
 PlacedDevice place (const PlaceRequest&, const ShowProgress&);
-
-/** What a focus comes to on a device. */
-struct PlacementOutcome
-{
-    std::string focus;
-    double peakVoltage = 0; ///< V, of the voltages of least norm, whatever the limits.
-    double limit = 0;       ///< V, of the ceramic that has the highest.
-    double fieldError = 0;  ///< Against the wanted field.
-    double contrast = 0;    ///< As in summary.json.
-};
-
-/** Designs and plays each focus without limits, so that devices compare by what they need. @throws InputError  as
-    designFocus [worker] */
-std::vector<PlacementOutcome> placementOutcomes (const ModalModel&, const std::vector<FocusDescription>&);
-
-/** The highest peak voltage of all focuses on a device with these ceramics, solved with their mass and stiffness.
-    @param device  whose own ceramics do not count [worker] */
-PlacementCost peakVoltageCost (const DeviceDescription& device, const std::vector<FocusDescription>&);
 } // namespace antinode

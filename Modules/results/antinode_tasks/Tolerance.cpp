@@ -11,7 +11,6 @@
 
 #include <array>
 #include <cstdio>
-#include <limits>
 
 namespace antinode
 {
@@ -19,13 +18,6 @@ namespace
 {
 constexpr double percent = 100;
 constexpr std::size_t shownCauses = 3;
-
-DetuningSpread chooseSpread (const ToleranceRequest& request, const ModalModel& model, const FocusDescription& focus)
-{
-    const auto usual = focus.allocation.robust ? focus.allocation.robust->spread : spreadOf (model.origin);
-    return { request.frequency.value_or (usual.frequency), request.damping.value_or (usual.damping),
-             request.participation.value_or (usual.participation), request.drift.value_or (usual.drift) };
-}
 
 std::string row (const std::string& name, const Percentiles& values, const char* format)
 {
@@ -51,28 +43,11 @@ Percentiles inPercent (Percentiles values)
 }
 } // namespace
 
-std::vector<Field> spreadFields (ToleranceRequest& request)
-{
-    const auto deviation = [] (const char* option, std::optional<double>& value, double most, const char* of)
-    {
-        return Field (option, &value, std::string ("Standard deviation of ") + of)
-            .in (percent)
-            .within (0, most)
-            .by ("those of the robust design, else by the origin of the modes");
-    };
-    return { Field ("--draws", &request.draws, "Number of random devices").within (1, 1000000),
-             Field ("--seed", &request.seed, "Seed of the random devices").within (0, std::numeric_limits<int>::max()),
-             deviation ("--frequency-percent", request.frequency, 10, "each frequency, %"),
-             deviation ("--damping-percent", request.damping, 50, "each damping, %"),
-             deviation ("--participation-percent", request.participation, 50, "each participation, %"),
-             deviation ("--drift-percent", request.drift, 10, "a common drift of all frequencies, %") };
-}
-
 std::vector<Field> fields (ToleranceRequest& request)
 {
     auto all = fields (request.design);
     all.front().value = FocusOrDesign { &request.design.focus, &request.made };
-    append (all, spreadFields (request));
+    append (all, fields (request.devices));
     return all;
 }
 
@@ -83,8 +58,8 @@ DesignOnDevices tolerance (const ToleranceRequest& request, const ShowProgress& 
         request.made ? request.made : std::make_shared<const DesignedFocus> (design (request.design, progress));
     const auto& asked = designed->made.design;
     auto model = ownModel (*designed);
-    const ToleranceOptions settings { chooseSpread (request, model, asked.description), request.draws,
-                                      static_cast<std::uint64_t> (request.seed) };
+    const auto& robust = asked.description.allocation.robust;
+    const auto settings = toleranceOptions (request.devices, robust ? robust->spread : spreadOf (model.origin));
     const auto show = [&] (double share)
     {
         if (progress)
@@ -120,12 +95,7 @@ void writeTolerances (OutputFolder& folder, const DesignOnDevices& played)
 std::string tolerancesInWords (const DesignOnDevices& played)
 {
     const auto& designs = played.tolerances;
-    const auto& options = designs.front().tolerance.options;
-    auto text = std::to_string (options.draws)
-                + " random devices; standard deviations: " + inWords (percent * options.spread.frequency)
-                + " % in frequency, " + inWords (percent * options.spread.damping) + " % in damping, "
-                + inWords (percent * options.spread.participation) + " % in participation, "
-                + inWords (percent * options.spread.drift) + " % by a drift of all frequencies\n";
+    auto text = drawnInWords (designs.front().tolerance.options) + "\n";
     text += row ("percentile", tolerancePercents, "%9.0f");
 
     for (const auto& design : designs)

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "Design.h"
+#include "DrawnDevices.h"
 
 #include <antinode_base/Progress.h>
 #include <antinode_focus/Tolerance.h>
 #include <antinode_text/OutputFolder.h>
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,17 +21,13 @@ struct ToleranceRequest
 {
     FocusRequest design;
     std::shared_ptr<const DesignedFocus> made; ///< Played as it is, in place of a new design.
-    int draws = 200;
-    int seed = 1;
-    std::optional<double> frequency, damping, participation, drift; ///< Relative; none: those that the focus is robust
-                                                                    ///< against, else by the origin of the modes.
+    DrawnDevices devices;         ///< Usually as the focus is robust against, else by the origin of the modes.
     std::filesystem::path folder; ///< Where the draws of long studies are kept while they are computed, so that they
                                   ///< resume after a kill; empty: nowhere.
 };
 
-/** All, and those of the devices only. [any] */
+/** [any] */
 std::vector<Field> fields (ToleranceRequest&);
-std::vector<Field> spreadFields (ToleranceRequest&);
 
 /** What designs do on devices that differ from the model; the last one is the one that was asked about. */
 struct DesignOnDevices
