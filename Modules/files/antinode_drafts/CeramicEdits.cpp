@@ -131,7 +131,7 @@ std::string freeName (const Json& ceramics)
 {
     for (auto i = ceramics.size() + 1;; ++i)
     {
-        const auto name = "C" + std::to_string (i);
+        auto name = "C" + std::to_string (i);
 
         if (std::none_of (ceramics.begin(), ceramics.end(),
                           [&] (const Json& ceramic) { return ceramic.value ("name", "") == name; }))

@@ -10,16 +10,18 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 
 namespace antinode
 {
 namespace
 {
 constexpr double pi = std::numbers::pi;
-constexpr double modesSeen = 25; ///< The lowest; a drawing knows the others too badly.
-constexpr double blur = 0.04;    ///< Of the band: the rate at which answers are faded out, over 2 pi.
-constexpr int linesSeen = 160;   ///< Frequencies that are compared.
-constexpr double furthestStretch = 0.15, stretchStep = 0.01;
+constexpr Eigen::Index modesSeen = 25; ///< The lowest; a drawing knows the others too badly.
+constexpr double blur = 0.04;          ///< Of the band: the rate at which answers are faded out, over 2 pi.
+constexpr int linesSeen = 160;         ///< Frequencies that are compared.
+constexpr double furthestStretch = 0.15;
+constexpr int stretchSteps = 15;      // each way
 constexpr double deadLevel = -26;     ///< dB
 constexpr double clear = 0.5;         ///< Correlation of an answer that is that of a ceramic.
 constexpr double foreignBelow = 0.15; ///< Correlation of one that is that of none.
@@ -33,7 +35,7 @@ struct Band
 
 Band bandOf (const ModalModel& drawn, const FrequencyResponses& responses)
 {
-    const auto last = std::min<Eigen::Index> (drawn.modes(), static_cast<Eigen::Index> (modesSeen)) - 1;
+    const auto last = std::min<Eigen::Index> (drawn.modes(), modesSeen) - 1;
     const auto lowest = responses.frequencies[0];
     const auto highest = std::min (responses.frequencies[responses.frequencies.size() - 1], drawn.frequencyHz (last));
     return { Eigen::VectorXd::LinSpaced (linesSeen, lowest, std::max (highest, 2 * lowest)),
@@ -139,6 +141,50 @@ Eigen::VectorXd levels (const Eigen::MatrixXcd& measured, const Eigen::MatrixXcd
     return ratios.unaryExpr ([&] (double ratio)
                              { return usual > 0 ? 20 * std::log10 (std::max (ratio / usual, 1e-6)) : 0.0; });
 }
+/** How alike answers are, outputs x ceramics, and their levels in dB. */
+struct ComparedAnswers
+{
+    Eigen::MatrixXd alike;
+    Eigen::VectorXd levels;
+};
+
+/** With the drawing stretched to where the answers are most alike. */
+ComparedAnswers compared (const ModalModel& drawn, const FrequencyResponses& responses,
+                          const std::vector<Eigen::Index>& points)
+{
+    const auto band = bandOf (drawn, responses);
+    const auto measured = measuredAnswers (responses, points, band);
+    Eigen::MatrixXd shapes (std::ssize (points), drawn.modes());
+
+    for (std::size_t p = 0; p < points.size(); ++p)
+        shapes.row (static_cast<Eigen::Index> (p)) =
+            shapesAt (drawn, responses.points (points[p], 0), responses.points (points[p], 1));
+
+    ComparedAnswers best;
+    double most = -1;
+
+    for (int step = -stretchSteps; step <= stretchSteps; ++step)
+    {
+        checkWatch();
+        const auto expected = drawnAnswers (drawn, shapes, band, 1 + furthestStretch * step / stretchSteps);
+        auto alike = correlations (measured, expected);
+
+        if (const auto all = alike.cwiseAbs().rowwise().maxCoeff().sum(); all > most)
+        {
+            most = all;
+            best = { std::move (alike), levels (measured, expected) };
+        }
+    }
+
+    return best;
+}
+
+/** -1 where most outputs answer with the other sign: it is the sensor's. */
+double commonSign (const Eigen::MatrixXd& alike)
+{
+    const auto own = alike.diagonal().array();
+    return (own < -clear).count() > (own > clear).count() ? -1 : 1;
+}
 } // namespace
 
 std::vector<WireFinding> checkWiring (const ModalModel& drawn, const FrequencyResponses& responses)
@@ -149,39 +195,10 @@ std::vector<WireFinding> checkWiring (const ModalModel& drawn, const FrequencyRe
     if (points.empty() || outputs != drawn.actuators() || drawn.hasComplexModes() || responses.frequencies.size() < 8)
         return {};
 
-    const auto band = bandOf (drawn, responses);
-    const auto measured = measuredAnswers (responses, points, band);
-    Eigen::MatrixXd shapes (std::ssize (points), drawn.modes());
-
-    for (std::size_t p = 0; p < points.size(); ++p)
-        shapes.row (static_cast<Eigen::Index> (p)) =
-            shapesAt (drawn, responses.points (points[p], 0), responses.points (points[p], 1));
-
-    Eigen::MatrixXd alike;
-    Eigen::VectorXd size;
-
-    for (auto stretch = 1 - furthestStretch; stretch < 1 + furthestStretch + stretchStep / 2; stretch += stretchStep)
-    {
-        checkWatch();
-        const auto expected = drawnAnswers (drawn, shapes, band, stretch);
-        const auto now = correlations (measured, expected);
-
-        if (alike.size() == 0
-            || now.cwiseAbs().rowwise().maxCoeff().sum() > alike.cwiseAbs().rowwise().maxCoeff().sum())
-        {
-            alike = now;
-            size = levels (measured, expected);
-        }
-    }
-
+    const auto [alike, size] = compared (drawn, responses, points);
     // Fewer points tell ceramics that lie alike apart less surely.
     const auto margin = 0.1 + 0.2 / static_cast<double> (points.size());
-    Eigen::Index positive = 0, negative = 0;
-
-    for (Eigen::Index i = 0; i < outputs; ++i)
-        (alike (i, i) > clear ? positive : negative) += std::abs (alike (i, i)) > clear ? 1 : 0;
-
-    const auto sign = negative > positive ? -1.0 : 1.0;
+    const auto sign = commonSign (alike);
     // Each output drives one ceramic, its own unless others are clearly more alike.
     Eigen::MatrixXd worth = alike.cwiseAbs();
     worth.diagonal().array() += margin;
