@@ -109,3 +109,23 @@ TEST_CASE ("A render that is interrupted at any moment ends with 130, says so, a
         }
     }
 }
+
+TEST_CASE ("place that is interrupted keeps the best places so far, in a device and as a row", "[command line]")
+{
+    constexpr int interrupted = 128 + SIGINT;
+    const TemporaryFolder folder, streams;
+    const auto out = folder.path() / "few-8.json";
+    const auto program = test::startProgram ({ "place", "aluminium-200x120", "--focus", "aluminium-centre", "--counts",
+                                               "8,12", "--out", folder.path() / "few.json" },
+                                             streams.path());
+
+    for (int i = 0; i < 20000 && ! std::filesystem::exists (out); ++i) // a program that ends before has none
+        std::this_thread::sleep_for (std::chrono::milliseconds (5));
+
+    kill (program, SIGINT);
+    CHECK (test::waitForProgram (program) == interrupted);
+    CHECK (nlohmann::json::parse (test::readContent (out))["ceramics"].size() == 8);
+    CHECK_THAT (test::readContent (streams.path() / "stdout"), Catch::Contains ("the best so far"));
+    CHECK_THAT (test::readContent (folder.path() / "few.csv"), Catch::Contains ("\nfew-8,8,"));
+    CHECK_FALSE (std::filesystem::exists (folder.path() / "few-12.json"));
+}
