@@ -16,6 +16,8 @@ namespace antinode
 {
 namespace
 {
+constexpr int mostJudged = 120; // modes
+
 /** Without ceramics: they are drawn where they are dragged to. */
 std::shared_ptr<const Chart> shapeChart (const ModalModel& model, const FieldFrames& frames)
 {
@@ -59,7 +61,7 @@ Eigen::VectorXd sharesOf (const ModalModel& model, std::optional<int> mode)
 bool DraftQuestion::operator== (const DraftQuestion& other) const
 {
     return device == other.device && exact == other.exact && focus == other.focus && settings == other.settings
-           && playback.sampleRate == other.playback.sampleRate && mode == other.mode;
+           && playback.sampleRate == other.playback.sampleRate && modes == other.modes && mode == other.mode;
 }
 
 void DraftView::leave()
@@ -164,31 +166,42 @@ void DraftView::answer (const DraftQuestion& question)
     }
 }
 
+const ModalModel& DraftView::judgeOf (const DraftQuestion& question)
+{
+    if (question.exact != nullptr)
+        return *question.exact;
+
+    if (question.device != judgedOf)
+    {
+        judge = std::make_shared<const ModalModel> (
+            solveCoarsely (question.device->description, std::clamp (question.modes, coarseModes, mostJudged)));
+        judgedOf = question.device;
+    }
+
+    return *judge;
+}
+
 /** What the focus is on these modes. A newer question ends it. */
 void DraftView::addNumbers (DraftPicture& made)
 {
     const WatchScope scope ([this] { return ! isStopping && ! isOutdated; });
     const auto& question = made.question;
-    made.captured = made.volts = std::nullopt;
 
     try
     {
-        auto focus = withSettings (question.focus->description, question.settings, made.model->surface);
+        const auto& model = judgeOf (question);
+        auto focus = withSettings (question.focus->description, question.settings, model.surface);
         focus.fingers.clear();
         focus.allocation.voltageLimit.reset();
 
-        // Of the few modes there are; a number that the focus says is one of the exact ones.
-        if (! made.isExact)
-            focus.modes = {};
-
         const auto design =
-            designFocus (withoutVoltageLimits (*made.model), focus, question.playback, DesignExtent::playable);
+            designFocus (withoutVoltageLimits (model), focus, question.playback, DesignExtent::playable);
         made.captured = design.captured;
         made.volts = peakVoltage (design);
     }
-    catch (const InputError& failure)
+    catch (const InputError&)
     {
-        made.obstacle = failure.what();
+        made.captured = made.volts = std::nullopt; // The session says why once it is loaded.
     }
 }
 

@@ -12,7 +12,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <string>
 
 namespace antinode
 {
@@ -24,6 +23,7 @@ struct DraftQuestion
     std::shared_ptr<const FocusDocument> focus;
     PlaySettings settings;
     Playback playback;       ///< With a rate of more than 0.
+    int modes = 0;           ///< That the loaded device has: numbers of the focus are of as many.
     std::optional<int> mode; ///< Which mode is shown, from 0; none: the surface at rest.
 
     bool operator== (const DraftQuestion&) const;
@@ -38,11 +38,11 @@ struct DraftPicture : SurfacePicture
     std::optional<double> captured; ///< Of the present focus.
     std::optional<double> volts;    ///< V: what it needs, whatever the limits.
     double solveTime = 0;           ///< s that the coarse modes took.
-    std::string obstacle;           ///< Why there are no such numbers.
 };
 
-/** Solves a device while it is drawn, on a thread that runs it: coarse modes as often as it changes, then what the
-   present focus is on them. The editor may go before the thread: both share it. */
+/** Solves a device while it is drawn, on a thread that runs it: a few coarse modes as often as it changes, and as soon
+   as it rests what the present focus is on as many as the device has. The editor may go before the thread: both share
+   it. */
 class DraftView
 {
 public:
@@ -66,11 +66,14 @@ private:
     void answer (const DraftQuestion&);
     void solve (const DraftQuestion&);
     void addNumbers (DraftPicture&);
+    const ModalModel& judgeOf (const DraftQuestion&);
     void show (const DraftPicture&);
 
     std::shared_ptr<const DeviceDocument> solvedOf; ///< Of the thread only, as the next lines.
     std::shared_ptr<const ModalModel> solved;
     double solveTime = 0; ///< s
+    std::shared_ptr<const DeviceDocument> judgedOf;
+    std::shared_ptr<const ModalModel> judge; ///< Coarse too, with as many modes as the device has.
     mutable std::mutex mutex;
     std::condition_variable changed;
     std::optional<DraftQuestion> next; ///< Under the mutex, as the next lines.

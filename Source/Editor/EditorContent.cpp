@@ -260,9 +260,11 @@ void EditorContent::showDraft()
     if (! (playback.sampleRate > 0))
         playback = { Reconstruction::bandLimited, usualRate };
 
+    const auto modes = now->model != nullptr ? static_cast<int> (now->model->modes()) : 0;
     DraftQuestion question { draft.device(),    isExact ? now->model : nullptr,
                              processor.focus(), processor.parameters().settings(),
-                             playback,          device.mode() };
+                             playback,          modes,
+                             device.mode() };
 
     if (! askedDraft || ! (*askedDraft == question))
     {

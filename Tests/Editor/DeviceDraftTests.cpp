@@ -246,6 +246,7 @@ TEST_CASE ("A slider shows coarse modes while it is dragged, and exact ones afte
     test.waitUntil ([&] { return test.content().draftShown()->isExact && test.content().isSettled(); });
     const auto after = test.content().draftShown();
     CHECK (after->model->frequencyHz (0) == Approx (coarse->model->frequencyHz (0)).epsilon (0.05));
+    CHECK (*after->captured == Approx (*coarse->captured).margin (0.03)); // of as many modes
     CHECK (after->model->frequencyHz (0) > 1.2 * exact->frequencyHz (0));
 }
 
