@@ -7,6 +7,7 @@
 #include <antinode_structure/Placing.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <variant>
@@ -43,13 +44,14 @@ bool areAlike (const std::vector<CeramicDescription>& ceramics)
 }
 
 /** The voltage of the focus on coarse modes, whatever the limits; infinite where it cannot be reached. */
-PlacementCost voltageCost (const PlaceQuestion& question)
+std::function<double (const std::vector<CeramicDescription>&)> voltageCost (const PlaceQuestion& question)
 {
     auto focus = question.focus;
     focus.modes = {};
     focus.fingers.clear();
     focus.allocation.voltageLimit.reset();
-    return [device = question.device, focus, playback = question.playback] (const auto& ceramics)
+    return [device = question.device, focus,
+            playback = question.playback] (const std::vector<CeramicDescription>& ceramics)
     {
         try
         {
@@ -155,7 +157,11 @@ void PlaceSearch::search (const PlaceQuestion& question)
     options.grid.step = std::min (like.sizeX, like.sizeY) / 2;
     options.grid.freeEdgeMargin = 2e-3;
     options.grid.modes = modesOfCost;
-    options.cost = cost;
+    options.costOf = [&cost] (const PlacementCandidates& candidates) -> PlacementCost
+    {
+        return [&cost, &candidates] (const std::vector<Eigen::Index>& chosen)
+        { return cost (chosenCeramics (candidates, chosen)); };
+    };
     options.isResolved = false;
     const auto found = placeCeramics (
         device, like, options, [this] (double share) { set ([share] (PlaceProgress& now) { now.share = share; }); });
