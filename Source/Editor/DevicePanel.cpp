@@ -148,7 +148,7 @@ juce::String DevicePanel::modeText() const
            + ", Q " + juce::String (juce::roundToInt (0.5 / model.dampingRatios[*mode]));
 }
 
-void DevicePanel::refresh (std::shared_ptr<const DraftPicture> newest, const PlaceProgress& searched)
+void DevicePanel::refresh (const std::shared_ptr<const DraftPicture>& newest, const PlaceProgress& searched)
 {
     const auto isOther = std::exchange (picture, newest) != newest;
 

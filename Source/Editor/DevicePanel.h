@@ -25,7 +25,7 @@ public:
     std::function<void (bool shouldRun)> onPlace;
 
     /** Shows what has changed. @param picture  the newest one, or none */
-    void refresh (std::shared_ptr<const DraftPicture> picture, const PlaceProgress&);
+    void refresh (const std::shared_ptr<const DraftPicture>& picture, const PlaceProgress&);
 
     /** Puts the ceramics where they were found to be better. */
     void takePlaces();
@@ -92,7 +92,10 @@ private:
     void makeSizes();
     void makeLayers();
     void makeEdges();
+    void addSupports (Section&);
     void makeCeramics();
+    void addCeramicShape (Section&);
+    void addCeramicKeys (Section&);
     void makePlacing();
     void makeSearch();
     void showSearch (const PlaceProgress&);

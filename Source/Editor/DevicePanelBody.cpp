@@ -217,7 +217,12 @@ void DevicePanel::makeEdges()
                               const auto edges = edgesOf (draft.document());
                               draft.edge = index == 0 ? "" : edges[static_cast<std::size_t> (index - 1)].name;
                           } });
+    addSupports (section);
+    sections.push_back (std::move (section));
+}
 
+void DevicePanel::addSupports (Section& section)
+{
     const auto usualOf = [] (const nlohmann::json& device)
     {
         std::vector<const UsualSupport*> all;
@@ -275,6 +280,5 @@ void DevicePanel::makeEdges()
                               const auto support = supportOf (device, shownEdge (device));
                               return withSupport (device, draft.edge, supportJson (*usualSupport (support), value));
                           } });
-    sections.push_back (std::move (section));
 }
 } // namespace antinode

@@ -27,6 +27,25 @@ const MaterialWords& ceramicMaterials()
 void DevicePanel::makeCeramics()
 {
     Section section { "Ceramics: the selected ones, else all", {}, {} };
+    addCeramicShape (section);
+    addCeramicKeys (section);
+
+    for (const auto isLeftToRight : { true, false })
+        addButton (
+            section, fromUtf8 (isLeftToRight ? "Mirror \xE2\x86\x94" : "Mirror \xE2\x86\x95"),
+            isLeftToRight ? "More ceramics, mirrored from left to right" : "More ceramics, mirrored from below upwards",
+            [this, isLeftToRight]
+            { draft.apply (withMirrored (draft.document(), draft.chosenOrAll(), isLeftToRight)); },
+            [this, isLeftToRight] { return hasCeramics() && (isLeftToRight || isOfPlate()); });
+
+    addButton (
+        section, "Remove", "The selected ceramics, else all. Key on the surface: Delete",
+        [this] { draft.removeCeramics (draft.chosenOrAll()); }, [this] { return hasCeramics(); });
+    sections.push_back (std::move (section));
+}
+
+void DevicePanel::addCeramicShape (Section& section)
+{
     const auto first = [this] (const nlohmann::json& device) -> std::optional<DrawnCeramic>
     {
         const auto all = ceramicsOf (device);
@@ -93,7 +112,10 @@ void DevicePanel::makeCeramics()
                           },
                           [withEach] (const nlohmann::json& device, double value)
                           { return withEach (device, [value] (DrawnCeramic& ceramic) { ceramic.angle = value; }); } });
+}
 
+void DevicePanel::addCeramicKeys (Section& section)
+{
     const auto keyOf = [this] (const nlohmann::json& device, const char* key) -> nlohmann::json
     {
         const auto index = draft.ceramics.empty() ? std::size_t { 0 } : *draft.ceramics.begin();
@@ -135,19 +157,6 @@ void DevicePanel::makeCeramics()
                               draft.apply (withCeramicKey (draft.document(), draft.chosenOrAll(), "mounting",
                                                            index == 1 ? "both_sides" : "one_side"));
                           } });
-
-    for (const auto isLeftToRight : { true, false })
-        addButton (
-            section, fromUtf8 (isLeftToRight ? "Mirror \xE2\x86\x94" : "Mirror \xE2\x86\x95"),
-            isLeftToRight ? "More ceramics, mirrored from left to right" : "More ceramics, mirrored from below upwards",
-            [this, isLeftToRight]
-            { draft.apply (withMirrored (draft.document(), draft.chosenOrAll(), isLeftToRight)); },
-            [this, isLeftToRight] { return hasCeramics() && (isLeftToRight || isOfPlate()); });
-
-    addButton (
-        section, "Remove", "The selected ceramics, else all. Key on the surface: Delete",
-        [this] { draft.removeCeramics (draft.chosenOrAll()); }, [this] { return hasCeramics(); });
-    sections.push_back (std::move (section));
 }
 
 void DevicePanel::makePlacing()

@@ -2,6 +2,7 @@
 
 #include "EditorLook.h"
 
+#include <Eigen/Geometry>
 #include <Processor/ParameterSet.h>
 #include <antinode_drafts/DeviceEdits.h>
 #include <antinode_reports/Lettering.h>

@@ -129,7 +129,8 @@ TEST_CASE ("Errors for typical mistakes in focuses give their position and what 
            == "my.json: /targets/1/width_mm: is missing");
     CHECK (errorWith ("targets.0.peak_velocity=40")
            == "my.json: /targets/0/peak_velocity: is an unknown key (did you mean 'peak_velocity_mm_s'?); allowed: "
-              "'shape', 'profile', 'x_mm', 'y_mm', 'width_mm', 'width_y_mm', 'peak_velocity_mm_s', 'phase', 'time_ms'");
+              "'shape', 'profile', 'x_mm', 'y_mm', 'width_mm', 'width_y_mm', 'peak_velocity_mm_s', 'peak_level_dB_SL', "
+              "'phase', 'time_ms'");
     CHECK (errorWith ("targets.0.profile=radial")
            == "my.json: /targets/0/width_y_mm: is given for a radial target, which has one width; allowed only with "
               "\"profile\": \"separable\"");

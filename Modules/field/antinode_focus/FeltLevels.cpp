@@ -26,10 +26,9 @@ double amplitudeOf (double decibels)
 
 std::vector<std::pair<double, double>> placesOf (const std::vector<Target>& targets)
 {
-    std::vector<std::pair<double, double>> places;
-
-    for (const auto& target : targets)
-        places.emplace_back (target.x, target.y);
+    std::vector<std::pair<double, double>> places (targets.size());
+    std::transform (targets.begin(), targets.end(), places.begin(),
+                    [] (const auto& target) { return std::pair (target.x, target.y); });
 
     return places;
 }
@@ -106,8 +105,8 @@ FocusDesign withBrake (FocusDesign design, const ModalModel& model)
                             ->level;
     throw LimitError ("focus: peak level",
                       "is " + inWords (level) + " dB SL, which the limits do not allow; allowed: up to about "
-                          + fixedText (std::floor (10 * (level + 20 * std::log10 (share))) / 10, 1)
-                          + " dB SL there. " + failure.what(),
+                          + fixedText (std::floor (10 * (level + 20 * std::log10 (share))) / 10, 1) + " dB SL there. "
+                          + failure.what(),
                       failure.minimumPeakVoltage, failure.reachableVelocity);
 }
 
@@ -128,11 +127,13 @@ std::vector<double> feltLevels (const ModalModel& model, const VoltageProgram& p
     const auto render = renderOffline (
         model, program, { playedAt (model, playback), duration, 512, Eigen::MatrixXd (0, model.coordinates()) });
     const auto felt = feltMotion (model, render.modalVelocities, render.sampleRate, threshold);
-    std::vector<double> levels;
-
-    for (const auto& [x, y] : places)
-        levels.push_back (sensationLevel (feltAmount (shapesAt (model, x, y) * felt.modal, felt.sampleRate)));
-
+    std::vector<double> levels (places.size());
+    std::transform (places.begin(), places.end(), levels.begin(),
+                    [&] (const auto& place)
+                    {
+                        const auto shapes = shapesAt (model, place.first, place.second);
+                        return sensationLevel (feltAmount (shapes * felt.modal, felt.sampleRate));
+                    });
     return levels;
 }
 
@@ -147,7 +148,7 @@ FocusDesign designLevels (const ModalModel& model, const FocusDescription& asked
 {
     constexpr int mostRounds = 12;
     constexpr double shareBelowLimit = 0.5; // of what limits allow, where the first guess is too much
-    auto wanted = asked; // with velocities that come nearer from round to round
+    auto wanted = asked;                    // with velocities that come nearer from round to round
     auto areLevelsKnown = false;
 
     for (int round = 0; round < mostRounds; ++round)
@@ -157,8 +158,8 @@ FocusDesign designLevels (const ModalModel& model, const FocusDescription& asked
         try
         {
             auto design = allocate (withoutLevels (wanted));
-            const auto reached = feltLevels (model, withBrake (design, model).program, playback, endOf (asked), placesOf (asked.targets),
-                                             asked.threshold);
+            const auto reached = feltLevels (model, withBrake (design, model).program, playback, endOf (asked),
+                                             placesOf (asked.targets), asked.threshold);
             areLevelsKnown = true;
 
             if (correct (wanted.targets, reached) <= levelTolerance)
