@@ -55,8 +55,8 @@ public:
         [any but the audio thread] */
     FollowingRequests& following() const { return *followingRequests; }
 
-    /** Makes a design for a place of its own, for the device as it is and again for each that comes; it plays by playPrepared()
-        as soon as its design is ready. Another one takes the place of the one before.
+    /** Makes a design for a place of its own, for the device as it is and again for each that comes; it plays by
+       playPrepared() as soon as its design is ready. Another one takes the place of the one before.
         @param slot   0 to FocusBank::mostPrepared - 1
         @param ready  called on a worker's thread each time, with what it needs or why there is none; must not block
         [any but the audio thread] */
