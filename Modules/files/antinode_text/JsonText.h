@@ -27,7 +27,7 @@ std::string readableJson (const nlohmann::ordered_json&);
 
 /** Sets one value, as `--set focus.targets.0.x_mm=24` gives it. A key that is a number indexes a list; the value is
    JSON where it parses as such, else a string. Missing objects on the way are made; a list grows by one at most.
-    The size of a target or a track replaces one in another unit that stands beside it.
+    The size of a target or a track replaces one in another unit.
     @param root        the document
     @param assignment  "targets.0.x_mm=24"
     @throws InputError  when it has no '=', or a part does not fit the document
