@@ -89,55 +89,18 @@ bool DesignQuestion::operator== (const DesignQuestion& other) const
            && playback.reconstruction == other.playback.reconstruction;
 }
 
-void DesignView::leave()
-{
-    const std::lock_guard lock (mutex);
-    isStopping = true;
-    changed.notify_all();
-}
-
-void DesignView::ask (DesignQuestion question)
-{
-    const std::lock_guard lock (mutex);
-    next = std::move (question);
-    ++asked;
-    changed.notify_all();
-}
-
 std::shared_ptr<const DesignPicture> DesignView::picture() const
 {
     const std::lock_guard lock (mutex);
     return newest;
 }
 
-bool DesignView::isDone() const
-{
-    const std::lock_guard lock (mutex);
-    return ! next && ! isWorking;
-}
-
 void DesignView::run()
 {
-    const WatchScope scope ([this] { return ! isStopping; });
+    const WatchScope scope ([this] { return ! questions.hasLeft(); });
 
-    for (;;)
-    {
-        DesignQuestion question;
-        {
-            std::unique_lock lock (mutex);
-            isWorking = false;
-            changed.wait (lock, [this] { return next || isStopping; });
-
-            if (isStopping)
-                return;
-
-            question = *std::exchange (next, std::nullopt);
-            answered = asked.load();
-            isWorking = true;
-        }
-
-        answer (question);
-    }
+    while (const auto question = questions.take())
+        answer (*question);
 }
 
 void DesignView::answer (const DesignQuestion& question)
@@ -221,7 +184,7 @@ void DesignView::answerWith (DesignPicture& made, const FocusDesign& playable)
     made.faults = designFaults (model, playable);
     show (made);
 
-    if (! isQuietFor (pause))
+    if (! questions.isQuietFor (pause))
         return;
 
     const WatchScope scope (watch ({}));
@@ -279,7 +242,7 @@ void DesignView::compareMethods (DesignPicture& made, const FocusDesign& designe
 
 void DesignView::show (const DesignPicture& made)
 {
-    if (isOutdated() && made.stage != DesignPicture::Stage::predicted)
+    if (questions.isOutdated() && made.stage != DesignPicture::Stage::predicted)
         return;
 
     auto shown = std::make_shared<const DesignPicture> (made);
@@ -290,13 +253,7 @@ void DesignView::show (const DesignPicture& made)
 Watch DesignView::watch (std::chrono::milliseconds grace) const
 {
     return [this, last = std::chrono::steady_clock::now() + grace]
-    { return ! isStopping && (! isOutdated() || std::chrono::steady_clock::now() < last); };
-}
-
-bool DesignView::isQuietFor (std::chrono::milliseconds time)
-{
-    std::unique_lock lock (mutex);
-    return ! changed.wait_for (lock, time, [this] { return next || isStopping; });
+    { return ! questions.hasLeft() && (! questions.isOutdated() || std::chrono::steady_clock::now() < last); };
 }
 
 namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "NewestQuestion.h"
 #include "SurfaceView.h"
 
 #include <antinode_base/Watch.h>
@@ -11,14 +12,13 @@
 #include <antinode_session/FocusSettings.h>
 #include <antinode_session/Session.h>
 
-#include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace antinode
@@ -72,16 +72,16 @@ public:
     void run();
 
     /** Abandons unfinished work; returns at once. [any but the audio thread] */
-    void leave();
+    void leave() { questions.leave(); }
 
     /** Returns at once. [any but the audio thread] */
-    void ask (DesignQuestion);
+    void ask (DesignQuestion question) { questions.ask (std::move (question)); }
 
     /** The latest picture, or none yet. [any but the audio thread] */
     std::shared_ptr<const DesignPicture> picture() const;
 
     /** Whether the picture of the latest request is complete. [any but the audio thread] */
-    bool isDone() const;
+    bool isDone() const { return questions.isDone(); }
 
 private:
     void answer (const DesignQuestion&);
@@ -92,19 +92,14 @@ private:
     void render (DesignPicture&);
     void compareMethods (DesignPicture&, const FocusDesign& designed) const;
     void show (const DesignPicture&);
-    bool isOutdated() const { return asked != answered || isStopping; }
     Watch watch (std::chrono::milliseconds grace) const;
-    bool isQuietFor (std::chrono::milliseconds);
 
     std::shared_ptr<const ModalModel> loadedModelOf; ///< Of the thread only, as the next lines.
     std::vector<Finger> fingers;
     WideModel loaded; ///< The device with the fingers on it.
+    NewestQuestion<DesignQuestion> questions;
     mutable std::mutex mutex;
-    std::condition_variable changed;
-    std::optional<DesignQuestion> next; ///< Under the mutex, as the next line.
-    std::shared_ptr<const DesignPicture> newest;
-    std::atomic<std::uint64_t> asked { 0 }, answered { 0 };
-    std::atomic<bool> isStopping { false }, isWorking { false };
+    std::shared_ptr<const DesignPicture> newest; ///< Under the mutex.
 };
 
 /** What is wrong with the places of a focus, in the words of the window's controls: they lie on an edge. [any] */

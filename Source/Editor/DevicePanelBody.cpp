@@ -16,24 +16,13 @@ constexpr int mostLayers = 6;
 
 const MaterialWords& elasticWords()
 {
-    static const auto words = []
-    {
-        MaterialWords made;
-        made.add (elasticMaterials());
-        return made;
-    }();
+    static const MaterialWords words (elasticMaterials());
     return words;
 }
 
 const MaterialWords& layerWords()
 {
-    static const auto words = []
-    {
-        MaterialWords made;
-        made.add (elasticMaterials());
-        made.add (viscoelasticMaterials());
-        return made;
-    }();
+    static const MaterialWords words (elasticMaterials(), viscoelasticMaterials());
     return words;
 }
 

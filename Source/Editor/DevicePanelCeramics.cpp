@@ -14,12 +14,7 @@ namespace
 {
 const MaterialWords& ceramicMaterials()
 {
-    static const auto words = []
-    {
-        MaterialWords made;
-        made.add (piezoelectricMaterials());
-        return made;
-    }();
+    static const MaterialWords words (piezoelectricMaterials());
     return words;
 }
 } // namespace

@@ -94,6 +94,13 @@ struct MaterialWords
     std::vector<std::string> names;
     juce::StringArray words;
 
+    /** @param tables  of materials, one behind the other */
+    template <typename... Tables>
+    explicit MaterialWords (const Tables&... tables)
+    {
+        (add (tables), ...);
+    }
+
     template <typename Table>
     void add (const Table& table)
     {

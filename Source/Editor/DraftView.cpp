@@ -64,60 +64,29 @@ bool DraftQuestion::operator== (const DraftQuestion& other) const
            && playback.sampleRate == other.playback.sampleRate && modes == other.modes && mode == other.mode;
 }
 
-void DraftView::leave()
-{
-    const std::lock_guard lock (mutex);
-    isStopping = true;
-    changed.notify_all();
-}
-
-void DraftView::ask (DraftQuestion question)
-{
-    const std::lock_guard lock (mutex);
-    next = std::move (question);
-    isOutdated = true;
-    changed.notify_all();
-}
-
 std::shared_ptr<const DraftPicture> DraftView::picture() const
 {
     const std::lock_guard lock (mutex);
     return newest;
 }
 
-bool DraftView::isDone() const
-{
-    const std::lock_guard lock (mutex);
-    return ! next && ! isWorking;
-}
-
 void DraftView::run()
 {
-    const WatchScope scope ([this] { return ! isStopping; });
+    const WatchScope scope ([this] { return ! questions.hasLeft(); });
 
-    for (;;)
+    while (const auto question = questions.take())
     {
-        DraftQuestion question;
-        {
-            std::unique_lock lock (mutex);
-            isWorking = false;
-            changed.wait (lock, [this] { return next || isStopping; });
-
-            if (isStopping)
-                return;
-
-            question = *std::exchange (next, std::nullopt);
-            isOutdated = false;
-            isWorking = true;
-        }
-
         try
         {
-            answer (question);
+            answer (*question);
         }
         catch (const Cancelled&)
         {
             // There is a newer question, or none any more.
+        }
+        catch (const std::exception&)
+        {
+            // What was right before stays; the session says why it cannot be solved once it is loaded.
         }
     }
 }
@@ -135,35 +104,28 @@ void DraftView::solve (const DraftQuestion& question)
 
 void DraftView::answer (const DraftQuestion& question)
 {
-    try
-    {
-        solve (question);
-        DraftPicture made;
-        made.question = question;
-        made.isExact = question.exact != nullptr;
-        made.model = made.isExact ? question.exact : solved;
-        made.solveTime = solveTime;
-        const auto& model = *made.model;
-        const auto isMode = question.mode && *question.mode < model.modes();
-        auto frames = isMode ? shapeOfMode (model, *question.mode) : stillFrames (model);
-        made.field = shapeChart (model, frames);
-        made.frames = std::make_shared<const FieldFrames> (std::move (frames));
-        made.shares = sharesOf (model, question.mode);
+    solve (question);
+    DraftPicture made;
+    made.question = question;
+    made.isExact = question.exact != nullptr;
+    made.model = made.isExact ? question.exact : solved;
+    made.solveTime = solveTime;
+    const auto& model = *made.model;
+    const auto isMode = question.mode && *question.mode < model.modes();
+    auto frames = isMode ? shapeOfMode (model, *question.mode) : stillFrames (model);
+    made.field = shapeChart (model, frames);
+    made.frames = std::make_shared<const FieldFrames> (std::move (frames));
+    made.shares = sharesOf (model, question.mode);
 
-        if (const auto before = picture(); before != nullptr)
-        {
-            made.captured = before->captured;
-            made.volts = before->volts;
-        }
-
-        show (made);
-        addNumbers (made);
-        show (made);
-    }
-    catch (const InputError&)
+    if (const auto before = picture(); before != nullptr)
     {
-        // What was right before stays; the session says why it cannot be solved once it is loaded.
+        made.captured = before->captured;
+        made.volts = before->volts;
     }
+
+    show (made);
+    addNumbers (made);
+    show (made);
 }
 
 const ModalModel& DraftView::judgeOf (const DraftQuestion& question)
@@ -184,7 +146,7 @@ const ModalModel& DraftView::judgeOf (const DraftQuestion& question)
 /** What the focus is on these modes. A newer question ends it. */
 void DraftView::addNumbers (DraftPicture& made)
 {
-    const WatchScope scope ([this] { return ! isStopping && ! isOutdated; });
+    const WatchScope scope ([this] { return ! questions.isOutdated(); });
     const auto& question = made.question;
 
     try

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "NewestQuestion.h"
 #include "SurfaceView.h"
 
 #include <antinode_model/VoltageProgram.h>
@@ -7,8 +8,6 @@
 #include <antinode_session/FocusSettings.h>
 
 #include <Eigen/Core>
-#include <atomic>
-#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -52,15 +51,14 @@ public:
     void run();
 
     /** Returns at once. [message thread, as all below] */
-    void leave();
-
-    void ask (DraftQuestion);
+    void leave() { questions.leave(); }
+    void ask (DraftQuestion question) { questions.ask (std::move (question)); }
 
     /** The latest picture, or none yet. */
     std::shared_ptr<const DraftPicture> picture() const;
 
     /** Whether nothing is worked on. */
-    bool isDone() const;
+    bool isDone() const { return questions.isDone(); }
 
 private:
     void answer (const DraftQuestion&);
@@ -74,10 +72,8 @@ private:
     double solveTime = 0; ///< s
     std::shared_ptr<const DeviceDocument> judgedOf;
     std::shared_ptr<const ModalModel> judge; ///< Coarse too, with as many modes as the device has.
+    NewestQuestion<DraftQuestion> questions;
     mutable std::mutex mutex;
-    std::condition_variable changed;
-    std::optional<DraftQuestion> next; ///< Under the mutex, as the next lines.
-    std::shared_ptr<const DraftPicture> newest;
-    std::atomic<bool> isStopping { false }, isWorking { false }, isOutdated { false };
+    std::shared_ptr<const DraftPicture> newest; ///< Under the mutex.
 };
 } // namespace antinode

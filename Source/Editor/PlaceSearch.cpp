@@ -66,30 +66,20 @@ std::function<double (const std::vector<CeramicDescription>&)> voltageCost (cons
 }
 } // namespace
 
-void PlaceSearch::leave()
-{
-    const std::lock_guard lock (mutex);
-    isStopping = true;
-    changed.notify_all();
-}
-
 void PlaceSearch::ask (PlaceQuestion question)
 {
     const std::lock_guard lock (mutex);
     known = {};
     known.device = question.device;
     known.isRunning = true;
-    next = std::move (question);
-    isGivenUp = true;
-    changed.notify_all();
+    questions.ask (std::move (question));
 }
 
 void PlaceSearch::stop()
 {
     const std::lock_guard lock (mutex);
-    next.reset();
+    questions.giveUp();
     known = {};
-    isGivenUp = true;
 }
 
 PlaceProgress PlaceSearch::progress() const
@@ -103,31 +93,19 @@ void PlaceSearch::set (const std::function<void (PlaceProgress&)>& change)
 {
     const std::lock_guard lock (mutex);
 
-    if (! isGivenUp)
+    if (! questions.isOutdated())
         change (known);
 }
 
 void PlaceSearch::run()
 {
-    const WatchScope scope ([this] { return ! isStopping && ! isGivenUp; });
+    const WatchScope scope ([this] { return ! questions.isOutdated(); });
 
-    for (;;)
+    while (const auto question = questions.take())
     {
-        PlaceQuestion question;
-        {
-            std::unique_lock lock (mutex);
-            changed.wait (lock, [this] { return next || isStopping; });
-
-            if (isStopping)
-                return;
-
-            question = *std::exchange (next, std::nullopt);
-            isGivenUp = false;
-        }
-
         try
         {
-            search (question);
+            search (*question);
         }
         catch (const Cancelled&)
         {

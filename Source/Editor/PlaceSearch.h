@@ -1,16 +1,17 @@
 #pragma once
 
+#include "NewestQuestion.h"
+
 #include <antinode_focus/FocusDescription.h>
 #include <antinode_model/VoltageProgram.h>
 #include <antinode_session/Documents.h>
 
-#include <atomic>
-#include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace antinode
@@ -43,7 +44,7 @@ public:
     void run();
 
     /** Returns at once. [message thread, as all below] */
-    void leave();
+    void leave() { questions.leave(); }
 
     void ask (PlaceQuestion);
 
@@ -56,10 +57,8 @@ private:
     void search (const PlaceQuestion&);
     void set (const std::function<void (PlaceProgress&)>&);
 
+    NewestQuestion<PlaceQuestion> questions; ///< Those of a search that is stopped are given up.
     mutable std::mutex mutex;
-    std::condition_variable changed;
-    std::optional<PlaceQuestion> next; ///< Under the mutex, as the next line.
-    PlaceProgress known;
-    std::atomic<bool> isStopping { false }, isGivenUp { false };
+    PlaceProgress known; ///< Under the mutex.
 };
 } // namespace antinode
