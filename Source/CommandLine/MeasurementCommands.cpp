@@ -3,6 +3,7 @@
 
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
+#include <antinode_base/Prefixes.h>
 #include <antinode_bench/AudioBench.h>
 #include <antinode_reports/MeasurementReport.h>
 #include <antinode_tasks/DeviceChecks.h>
@@ -13,7 +14,9 @@
 
 #include <cmath>
 #include <cstdio>
+#include <iostream>
 #include <memory>
+#include <string>
 
 namespace antinode
 {
@@ -189,6 +192,55 @@ void addFrfCommand (CLI::App& app)
 
 namespace
 {
+/** Asks at a point until it understands; the end of the input means the end. */
+PointAnswer askAtPoint (const Eigen::MatrixX2d& places, Eigen::Index first, Eigen::Index count)
+{
+    std::string answer;
+
+    while (true)
+    {
+        for (auto p = first; p < first + count; ++p)
+            std::printf ("point %td of %td: %.6g, %.6g mm\n", p + 1, places.rows(), places (p, 0) * milli,
+                         places (p, 1) * milli);
+
+        std::printf ("Enter measures, s skips, r repeats the previous point, q ends for now: ");
+        std::fflush (stdout);
+
+        if (! std::getline (std::cin, answer) || answer == "q")
+            return PointAnswer::end;
+
+        if (answer == "s")
+            return PointAnswer::skip;
+
+        if (answer == "r")
+            return PointAnswer::again;
+
+        if (answer.empty())
+            return PointAnswer::measure;
+    }
+}
+
+/** Leads a user with a scanning sensor by lines on the terminal. */
+PointGuide terminalGuide (bool asksNoQuestions)
+{
+    PointGuide guide;
+    guide.tell = [] (const std::string& sentence)
+    {
+        std::printf ("%s\n", sentence.c_str());
+        std::fflush (stdout);
+    };
+    guide.wires = [tell = guide.tell] (const SurfaceMeasurement&, const std::vector<WireFinding>& findings)
+    {
+        for (const auto& found : findings)
+            tell ("wiring: " + wireInWords (found));
+    };
+
+    if (! asksNoQuestions)
+        guide.ask = askAtPoint;
+
+    return guide;
+}
+
 struct MeasureOptions
 {
     MeasureRequest request;
@@ -214,7 +266,8 @@ void runMeasure (MeasureOptions& options)
     if (options.onlyChecks)
         return writeChecklist (options.request);
 
-    const auto measured = measureOnBench (options.request, PointGuide (options.isSimulated || options.asksNoQuestions));
+    const auto measured =
+        measureOnBench (options.request, terminalGuide (options.isSimulated || options.asksNoQuestions));
     printMeasurement (measured.measurement, measured.sheet);
     std::printf ("Responses and figures: %s/responses.uff, report.html\n", options.request.folder.c_str());
 }

@@ -389,6 +389,17 @@ bool EditorContent::isInterestedInFileDrag (const juce::StringArray& files)
                || files[0].endsWithIgnoreCase (".dxf"));
 }
 
+void EditorContent::changeDevice (std::shared_ptr<const DeviceDocument> device)
+{
+    past.record (
+        [&]
+        {
+            auto wanted = processor.state();
+            wanted.device = std::move (device);
+            processor.setState (wanted, true);
+        });
+}
+
 void EditorContent::filesDropped (const juce::StringArray& files, int, int)
 {
     if (! isInterestedInFileDrag (files))

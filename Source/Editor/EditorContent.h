@@ -61,6 +61,9 @@ public:
     /** Opens the browser of a kind, or closes it. */
     void browse (std::optional<LibraryKind>);
 
+    /** Loads a device in place of the one that is loaded; the focus stays. One entry of the history. */
+    void changeDevice (std::shared_ptr<const DeviceDocument>);
+
     /** Shows one of the panels: "Spectrum", "Felt", "Probe", "Voltages", "Methods", "Bank", "Scores",
         "Drift", "Settings", or "Controls" and "Device". */
     void showPanel (const juce::String& name);

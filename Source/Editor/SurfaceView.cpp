@@ -264,8 +264,9 @@ SurfaceView::SurfaceView (const juce::String& description, const juce::String& t
 
 void SurfaceView::setPicture (std::shared_ptr<const SurfacePicture> newPicture)
 {
-    picture = std::move (newPicture);
-    painter.setPicture (picture);
+    if (std::exchange (picture, std::move (newPicture)) != picture)
+        painter.setPicture (picture);
+
     repaint();
 }
 

@@ -94,7 +94,8 @@ protected:
 
     /** Whether there is a picture: what follows has a meaning then alone. */
     bool isShown() const { return picture != nullptr; }
-    const Surface& surface() const { return picture->model->surface; }
+    const ModalModel& model() const { return *picture->model; }
+    const Surface& surface() const { return model().surface; }
     bool isLine() const { return painter.isLine(); }
     const PlotFrame& plot() const { return painter.frame(); }
 

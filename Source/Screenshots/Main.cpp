@@ -105,6 +105,47 @@ void feedInput (antinode::AudioCallback& callback)
     callback.input().write (heard.data(), samples);
 }
 
+/** The bench on its tour: at the first point, with the wires that it finds wrong, and at the end. */
+void takeBench (const Screenshot& wanted, const juce::File& folder)
+{
+    using antinode::BenchStep;
+    antinode::StandaloneHost host (antinode::SettingsFile ({}), false);
+    antinode::MainComponent window (host);
+    auto& bench = window.benchPanel();
+    const auto measurements = juce::File::createTempFile ({});
+    bench.folder = measurements.getFullPathName().toStdString();
+    window.setSize (wanted.width, wanted.height);
+    show (wanted, host.processor(), *window.fociEditor());
+    window.showSettings ("Bench");
+    const auto until = [&bench] (BenchStep step)
+    {
+        while (bench.shown().step != step)
+        {
+            std::this_thread::sleep_for (std::chrono::milliseconds (10));
+            bench.refresh();
+        }
+    };
+    const auto take = [&] (const char* name)
+    { antinode::writePicture (window, folder.getChildFile (wanted.file + name + ".png")); };
+    bench.begin();
+    until (BenchStep::aiming);
+    take ("-aim");
+    bench.answer (antinode::PointAnswer::measure);
+    until (BenchStep::wires);
+    take ("-wires");
+    bench.correctRouting();
+
+    while (bench.shown().step != BenchStep::done)
+    {
+        bench.answer (antinode::PointAnswer::measure);
+        std::this_thread::sleep_for (std::chrono::milliseconds (10));
+        bench.refresh();
+    }
+
+    take ("-done");
+    measurements.deleteRecursively();
+}
+
 void takeStandalone (const Screenshot& wanted, const juce::File& folder)
 {
     antinode::StandaloneHost host (antinode::SettingsFile ({}), false);
@@ -152,5 +193,6 @@ int main (int argumentCount, char* arguments[])
     antinode::takePlate (folder.getChildFile ("plate-plugin.png"));
     antinode::takeTouch (folder.getChildFile ("touch-plugin.png"));
     antinode::takeTouchStandalone (folder.getChildFile ("standalone-touch.png"));
+    takeBench ({ "bench", 1280, 800, "phone", "phone-thumb", true }, folder);
     takeStandalone ({ "standalone", 1500, 852, "phone", "phone-thumb", true }, folder);
 }

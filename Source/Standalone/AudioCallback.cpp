@@ -1,6 +1,7 @@
 #include "AudioCallback.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -70,8 +71,17 @@ void AudioCallback::setInputs (const FingerInputs& wanted)
     inputOfChannel.back() = wanted.sensor;
 }
 
-void AudioCallback::audioDeviceAboutToStart (juce::AudioIODevice* device)
+void AudioCallback::playTake (std::shared_ptr<Take> take, int ceramics, const std::array<int, 2>& inputs)
 {
+    takeCommands = queue.stops().commands();
+    takeCeramics = std::clamp (ceramics, 0, OutputRouting::maximumCeramics);
+    std::copy (inputs.begin(), inputs.end(), takeInputs.begin());
+    recorder.begin (std::move (take));
+}
+
+void AudioCallback::audioDeviceAboutToStart (juce::AudioIODevice* opened)
+{
+    device = opened;
     prepare (device->getCurrentSampleRate(), device->getCurrentBufferSizeSamples(), device->getActiveOutputChannels(),
              device->getActiveInputChannels());
 }
@@ -88,6 +98,8 @@ void AudioCallback::prepare (double sampleRate, int blockSize, const juce::BigIn
     processor.setRateAndBufferSizeDetails (sampleRate, longestPart);
     processor.prepareToPlay (sampleRate, longestPart);
     router.prepare (sampleRate);
+    recorder.cut (false);
+    recorder.prepare (sampleRate);
     rate = sampleRate;
 }
 
@@ -95,6 +107,8 @@ void AudioCallback::audioDeviceStopped()
 {
     rate = 0;
     firstInput = -1;
+    device = nullptr;
+    recorder.cut (false);
     processor.releaseResources();
 }
 
@@ -130,6 +144,9 @@ void AudioCallback::audioDeviceIOCallbackWithContext (const float* const* inputs
 
     for (int offset = 0; offset < count; offset += longestPart)
         playPart (offset, std::min (longestPart, count - offset));
+
+    if (device != nullptr)
+        lost = std::max (0, device->getXRunCount());
 
     played += count;
 }
@@ -196,6 +213,8 @@ void AudioCallback::playPart (int offset, int count)
     if (width > 0)
         levels.writeMarker (marker.data(), count, width);
 
+    const auto isMeasured = playTakePart (offset, count);
+
     for (std::size_t i = 0; i < channels.size(); ++i)
         partChannels[i] = channels[i] != nullptr ? channels[i] + offset : nullptr;
 
@@ -206,6 +225,36 @@ void AudioCallback::playPart (int offset, int count)
                       count,
                       levels.fullScaleVolts(),
                       levels.isArmed(),
-                      width > 0 ? marker.data() : nullptr });
+                      width > 0 || isMeasured ? marker.data() : nullptr,
+                      isMeasured });
+}
+
+/** The next samples of a take, in place of what the processor plays. @return  whether the router is at it */
+bool AudioCallback::playTakePart (int offset, int count)
+{
+    if (! router.playsMeasurement())
+    {
+        recorder.cut (router.mayMeasure (levels.isArmed()));
+        return false;
+    }
+
+    if (queue.stops().commands() != takeCommands)
+        recorder.stop();
+
+    buffer.clear();
+    std::fill_n (marker.begin(), count, 0.0F);
+    std::array<float*, OutputRouting::maximumCeramics + 1> to {};
+    const auto ceramics = takeCeramics.load();
+    std::copy_n (buffer.getArrayOfWritePointers(), ceramics, to.begin());
+    to[static_cast<std::size_t> (ceramics)] = marker.data();
+    std::array<const float*, 2> from {};
+
+    for (std::size_t i = 0; i < from.size(); ++i)
+        if (const auto input = takeInputs[i].load(); input >= 0 && input < OutputRouting::maximumOutputs)
+            if (const auto* const samples = heard[static_cast<std::size_t> (input)]; samples != nullptr)
+                from[i] = samples + offset;
+
+    recorder.process (from.data(), static_cast<int> (from.size()), to.data(), ceramics + 1, count);
+    return true;
 }
 } // namespace antinode

@@ -4,6 +4,7 @@
 #include "OutputRouter.h"
 #include "StandaloneSettings.h"
 
+#include <antinode_audio/PlayAndRecord.h>
 #include <antinode_base/LockFreeExchange.h>
 #include <juce_audio_devices/juce_audio_devices.h>
 #include <juce_audio_processors/juce_audio_processors.h>
@@ -13,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace antinode
@@ -79,6 +81,20 @@ public:
     /** Samples since the schedule began; below 0 before. [any] */
     std::int64_t scheduleSamples() const { return schedulePosition; }
 
+    /** Plays a take of a measurement in place of all else, as soon as the router is at it: its columns are the
+       ceramics, then the sync channel on the output of the marker. A stop of any kind, a mute, disarming and another
+       routing end it at 0 V.
+        @param ceramics  how many
+        @param inputs    of the device, in the order of the recorded columns, counted from 0; below 0: none
+        @throws InputError  as PlayAndRecord::begin [any] one thread */
+    void playTake (std::shared_ptr<Take>, int ceramics, const std::array<int, 2>& inputs);
+
+    /** Ramps to 0 V and ends it. [any] */
+    void stopTake() { recorder.stop(); }
+
+    /** Blocks that the device's driver says that it has lost. [any] */
+    int lostBlocks() const { return lost; }
+
     /** Samples since the program began: where it stands still, the device does. [any] */
     std::int64_t samplesPlayed() const { return played; }
 
@@ -110,6 +126,7 @@ private:
     void noteInputs (const float* const* inputs, int inputCount);
     void fillInputs (int offset, int count);
     void playPart (int offset, int count);
+    bool playTakePart (int offset, int count);
 
     juce::AudioProcessor& processor;
     OutputRouter& router;
@@ -117,6 +134,12 @@ private:
     PlayedLevels levels;
     EventSchedule schedule;
     InputTap inputTap;
+    PlayAndRecord recorder;
+    std::atomic<std::uint64_t> takeCommands { 0 }; ///< StopCount::commands() when it was asked for.
+    std::atomic<int> takeCeramics { 0 };
+    std::array<std::atomic<int>, 2> takeInputs {};
+    std::atomic<int> lost { 0 };
+    juce::AudioIODevice* device = nullptr; ///< While it calls.
     std::atomic<bool> scheduleWanted { false };
     std::atomic<std::uint64_t> scheduleCommands { 0 }; ///< StopCount::commands() when it was asked for.
     std::atomic<std::int64_t> schedulePosition { -1 }, played { 0 };

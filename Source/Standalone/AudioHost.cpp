@@ -103,6 +103,12 @@ void AudioHost::setMidi (const MidiChoice& choice)
     triggerAsyncUpdate();
 }
 
+void AudioHost::setBench (const BenchSensor& sensor)
+{
+    kept.bench = sensor;
+    triggerAsyncUpdate();
+}
+
 void AudioHost::setScale (double scale)
 {
     kept.scale = scale;

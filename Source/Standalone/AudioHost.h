@@ -106,7 +106,8 @@ public:
     /** Whether the device that was opened has stopped to call. [message thread] */
     bool hasDeviceStopped() const { return watch.hasStopped(); }
 
-    /** Kept only: the window shows it. [message thread] */
+    /** Kept only: the window uses it. [message thread] */
+    void setBench (const BenchSensor&);
     void setDark (bool isDark);
     void setScale (double);
 

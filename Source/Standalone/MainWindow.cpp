@@ -18,7 +18,7 @@ constexpr int topHeight = 52, windowMargin = 8, windowGap = 6, settingsWidth = 4
 
 MainComponent::MainComponent (AudioHost& hostToUse, std::unique_ptr<ContentEditor> editor,
                               SettingsPanel::SeparateNodes nodes)
-    : host (hostToUse), player (std::move (editor)), audio (host), routing (host), touch (host),
+    : host (hostToUse), player (std::move (editor)), audio (host), routing (host), touch (host), bench (host),
       windowPanel (std::move (nodes))
 {
     setLookAndFeel (&look);
@@ -43,6 +43,9 @@ MainComponent::MainComponent (StandaloneHost& hostToUse)
 {
     own = std::make_unique<MidiPanel> (hostToUse);
     fociEditor()->content().leaveSettingsToWindow();
+    bench.device = [&hostToUse] { return hostToUse.processor().device(); };
+    bench.onSaved = [this] (std::shared_ptr<const DeviceDocument> device)
+    { fociEditor()->content().changeDevice (std::move (device)); };
     begin ({ "MIDI", "MIDI inputs that trigger foci.", own.get() });
 }
 
@@ -50,6 +53,9 @@ MainComponent::MainComponent (TouchHost& hostToUse)
     : MainComponent (hostToUse, std::make_unique<TouchEditor> (hostToUse.processor()), {})
 {
     own = std::make_unique<InputsPanel> (hostToUse);
+    bench.device = [&hostToUse] { return hostToUse.processor().device(); };
+    bench.onSaved = [&hostToUse] (std::shared_ptr<const DeviceDocument> device)
+    { hostToUse.processor().load (std::move (device)); };
     touchEditor()->content().touches().setVisible (false); // The program's ports are a setting of its own.
     begin ({ "Inputs", "Input of the audio device that each finger feels.", own.get() });
 }
@@ -80,6 +86,7 @@ void MainComponent::begin (const PanelGroup::Panel& ownPanel)
                           { "Routing", "Output and amplifier of each ceramic.", &routing },
                           ownPanel,
                           { "Touch", "Ports for touches: OSC and TUIO.", &touch },
+                          { "Bench", "Measures the device point by point and retunes its drawing.", &bench },
                           { "Window", "Size of text and controls, and how what plays is run.", &windowPanel } });
     settings.show (openedAudio (host.devices()).type.empty() ? "Audio device" : "Routing");
 

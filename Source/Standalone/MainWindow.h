@@ -1,6 +1,7 @@
 #pragma once
 
 #include "AudioPanel.h"
+#include "BenchPanel.h"
 #include "InputPanels.h"
 #include "RoutingPanel.h"
 #include "StandaloneHost.h"
@@ -36,7 +37,10 @@ public:
     /** Shows the routing and the audio device as they are now. [message thread] */
     void update();
 
-    /** Shows one of the settings: "Audio device", "Routing", "MIDI" or "Inputs", "Touch", "Window". [message thread] */
+    BenchPanel& benchPanel() { return bench; }
+
+    /** Shows one of the settings: "Audio device", "Routing", "MIDI" or "Inputs", "Touch", "Bench", "Window". [message
+        thread] */
     void showSettings (const juce::String& name) { settings.show (name); }
 
     /** Shows or hides the settings. [message thread] */
@@ -68,6 +72,7 @@ private:
     RoutingPanel routing;
     std::unique_ptr<juce::Component> own; ///< The panel that only foci or only fingers have.
     TouchPanel touch;
+    BenchPanel bench;
     SettingsPanel windowPanel;
     PanelGroup settings { "Settings" };
     juce::TextButton mute, settingsButton { "Settings" };

@@ -214,7 +214,7 @@ void OutputRouter::prepare (double sampleRate)
     rate = sampleRate;
     rampSamples = std::max<std::int64_t> (1, std::llround (rampTime * rate));
     takeTable();
-    tone = OutputRouting::none;
+    source = foci;
     isLeaving = false;
     sourceLeft = 0;
     sourceRamp = SafetyRamp (1);
@@ -269,11 +269,12 @@ void OutputRouter::takeCommands (bool isArmed)
     }
 
     const auto asked = wantedTone.load();
-    blockTone = isArmed && asked >= 0 && asked < OutputRouting::maximumCeramics ? asked : OutputRouting::none;
+    const auto isTone = asked >= 0 && asked < OutputRouting::maximumCeramics;
+    blockSource = ! isArmed ? foci : wantsMeasurement ? measurement : isTone ? asked : foci;
     hasNewTable = hasTable();
 }
 
-/** Between foci and tone, and between routings, there are 0 V. */
+/** Between foci, tone and measurement, and between routings, there are 0 V. */
 void OutputRouter::changeSource()
 {
     if (sourceLeft > 0)
@@ -283,10 +284,10 @@ void OutputRouter::changeSource()
     {
         takeTable();
         hasNewTable = false;
-        tone = blockTone;
+        source = blockSource;
         toneSample = 0;
     }
-    else if (tone == blockTone && ! hasNewTable)
+    else if (source == blockSource && ! hasNewTable)
     {
         return;
     }
@@ -377,13 +378,16 @@ void OutputRouter::fillCeramic (const RouterBlock& block, const Part& part, int 
     const auto monitor = routing.monitor == OutputRouting::none ? OutputRouting::none : output - routing.monitor;
     std::fill_n (to, part.count, 0.0F);
 
-    if (tone != OutputRouting::none)
+    if (source != foci && source != measurement)
     {
-        if (tone == ceramic)
+        if (source == ceramic)
             fillTone (block, part, output, to);
 
         return;
     }
+
+    if ((source == measurement) != block.isMeasured)
+        return;
 
     const auto& chain = routing.chains[index];
     const auto gain = chain.voltsPerFullScale > 0 ? block.fullScaleVolts / chain.voltsPerFullScale : 1.0;
@@ -408,7 +412,7 @@ void OutputRouter::fillTone (const RouterBlock& block, const Part& part, int out
     if (! (fullScale > 0))
         return;
 
-    const auto volts = IdentifyTone::amplitude (table->limits[static_cast<std::size_t> (tone)]);
+    const auto volts = IdentifyTone::amplitude (table->limits[static_cast<std::size_t> (source)]);
     const auto amplitude = std::min (1.0, volts / fullScale) * chain.polarity;
 
     for (int n = 0; n < part.count; ++n)

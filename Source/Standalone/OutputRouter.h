@@ -108,6 +108,7 @@ struct RouterBlock
     double fullScaleVolts = 0;     ///< 0: nothing is played yet.
     bool isArmed = false;          ///< Else there is no identify tone either.
     const float* marker = nullptr; ///< 1 from each focus on for its time; none: nothing marks.
+    bool isMeasured = false;       ///< Ceramics and marker are those of a measurement.
 };
 
 /** The last station before the device: from voltages to what each output must give so that the amplifier behind it
@@ -153,6 +154,18 @@ public:
     void identify (int ceramic) { wantedTone = ceramic; }
     int identified() const { return wantedTone; }
 
+    /** Whether outputs are a measurement's, and nothing else's; 0 V without one. Only while armed. [any] */
+    void measure (bool isWanted) { wantsMeasurement = isWanted; }
+
+    /** Whether a measurement may begin or go on. [any] */
+    bool mayMeasure (bool isArmed) const { return wantsMeasurement && isArmed && ! wantsMute; }
+
+    /** Whether what a measurement gives now goes out, at least on the ramp of its end. [audio thread] */
+    bool playsMeasurement() const
+    {
+        return source == measurement && (isLeaving || sourceLeft == 0) && ! (isMuting && ! muteRamp.isMoving());
+    }
+
     /** How long a marker lasts; 0: there is none. [audio thread] */
     std::int64_t markerSamples() const;
 
@@ -162,6 +175,8 @@ public:
     OutputMeters& meters() { return outputMeters; }
 
 private:
+    static constexpr int foci = OutputRouting::none, measurement = OutputRouting::maximumCeramics; ///< Of `source`.
+
     struct Table;
     struct Part;
 
@@ -175,14 +190,14 @@ private:
     void fillTone (const RouterBlock&, const Part&, int output, float* to) const;
 
     std::atomic<Table*> next { nullptr }, retired { nullptr };
-    std::atomic<bool> wantsMute { false }, silent { false };
+    std::atomic<bool> wantsMute { false }, wantsMeasurement { false }, silent { false };
     std::atomic<int> wantedTone { OutputRouting::none };
     OutputMeters outputMeters;
 
     std::unique_ptr<Table> table; ///< Of the audio thread, as all that follows.
     double rate = 48000;
     std::int64_t rampSamples = 1, sourceLeft = 0, toneSample = 0;
-    int tone = OutputRouting::none, blockTone = OutputRouting::none;
+    int source = foci, blockSource = foci; ///< Or the ceramic of the identify tone.
     bool isMuting = false, isLeaving = false, hasNewTable = false;
     SafetyRamp muteRamp { 1 }, sourceRamp { 1 };
 };

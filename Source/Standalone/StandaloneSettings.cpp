@@ -174,6 +174,23 @@ void readFingers (const JsonValue& value, const Json& json, StandaloneSettings& 
         settings.touchState = readState (json["state"].dump(), SessionRole::fingers);
 }
 
+Json benchToJson (const BenchSensor& bench)
+{
+    return { { "sensor_input", toJsonNumber (bench.input) },
+             { "sync_input", toJsonNumber (bench.syncInput) },
+             { "sensitivity_mm_s_per_V", bench.scale.sensitivity },
+             { "input_full_scale_V", bench.scale.inputFullScale } };
+}
+
+BenchSensor readBench (const JsonValue& value)
+{
+    const auto bench = value.object ({ "sensor_input", "sync_input", "sensitivity_mm_s_per_V", "input_full_scale_V" });
+    return { bench.required ("sensor_input").integer (1, OutputRouting::maximumOutputs) - 1,
+             bench.required ("sync_input").integer (0, OutputRouting::maximumOutputs) - 1,
+             { bench.required ("sensitivity_mm_s_per_V").number ({ 0, maximumVolts }),
+               bench.required ("input_full_scale_V").number ({ 0, maximumVolts }) } };
+}
+
 TouchPorts readTouch (const JsonValue& value)
 {
     constexpr int highestPort = 65535;
@@ -206,6 +223,9 @@ std::string settingsToText (const StandaloneSettings& settings)
     if (settings.touchState || settings.inputs != FingerInputs())
         json["fingers"] = fingersToJson (settings);
 
+    if (settings.bench != BenchSensor())
+        json["bench"] = benchToJson (settings.bench);
+
     return json.dump (2) + "\n";
 }
 
@@ -215,13 +235,14 @@ StandaloneSettings readSettings (std::string_view text)
     const JsonValue value (json, "settings");
     value.requireSchema (schema);
     const auto object =
-        value.object ({ "schema", "audio", "routing", "midi", "touch", "theme", "scale", "state", "fingers" });
+        value.object ({ "schema", "audio", "routing", "midi", "touch", "theme", "scale", "state", "fingers", "bench" });
     StandaloneSettings settings { readAudio (object.required ("audio")),
                                   readRouting (object.required ("routing")),
                                   readMidi (object.required ("midi")),
                                   readTouch (object.required ("touch")),
                                   true,
                                   0,
+                                  {},
                                   {},
                                   {},
                                   {} };
@@ -237,6 +258,9 @@ StandaloneSettings readSettings (std::string_view text)
 
     if (const auto fingers = object.optional ("fingers"))
         readFingers (*fingers, json["fingers"], settings);
+
+    if (const auto bench = object.optional ("bench"))
+        settings.bench = readBench (*bench);
 
     return settings;
 }

@@ -3,6 +3,7 @@
 #include "OutputRouter.h"
 
 #include <antinode_audio/AudioChoice.h>
+#include <antinode_measurement/RunAnalysis.h>
 #include <antinode_session/SessionState.h>
 #include <antinode_touch/TouchReceiver.h>
 
@@ -36,6 +37,20 @@ inline FingerInputs sensorAlone()
     return sensor;
 }
 
+/** What the sensor of a bench is wired to. */
+struct BenchSensor
+{
+    int input = 0;     ///< Of the audio device, counted from 0.
+    int syncInput = 1; ///< The input that hears the output of the marker; below 0: none.
+    SensorScale scale;
+
+    bool operator== (const BenchSensor& other) const
+    {
+        return input == other.input && syncInput == other.syncInput && scale.sensitivity == other.scale.sensitivity
+               && scale.inputFullScale == other.scale.inputFullScale;
+    }
+};
+
 /** The selected MIDI inputs. */
 struct MidiChoice
 {
@@ -57,6 +72,7 @@ struct StandaloneSettings
     std::optional<SessionState> state; ///< Device, focus and parameters; none: the demonstrator.
     FingerInputs inputs;               ///< Of Antinode Touch, as the next line.
     std::optional<SessionState> touchState;
+    BenchSensor bench;
 };
 
 /** JSON of schema antinode.standalone/1; numbers come back to the bit. [worker] Docs/FileFormats.md */

@@ -201,7 +201,11 @@ std::vector<WireFinding> checkWiring (const ModalModel& drawn, const FrequencyRe
     const auto sign = commonSign (alike);
     // Each output drives one ceramic, its own unless others are clearly more alike.
     Eigen::MatrixXd worth = alike.cwiseAbs();
-    worth.diagonal().array() += margin;
+
+    // With the wrong sign it is as likely another one.
+    for (Eigen::Index i = 0; i < std::min (worth.rows(), worth.cols()); ++i)
+        worth (i, i) += sign * alike (i, i) > 0 ? margin : 0;
+
     const auto ceramics = assign (worth);
     std::vector<WireFinding> findings;
 

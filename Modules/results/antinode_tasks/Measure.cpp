@@ -5,6 +5,7 @@
 #include <antinode_base/InputError.h>
 #include <antinode_bench/Bench.h>
 #include <antinode_bench/Measuring.h>
+#include <antinode_learning/ChooseSensors.h>
 #include <antinode_reports/MeasurementReport.h>
 #include <antinode_responses/UniversalFile.h>
 #include <antinode_responses/UniversalResponses.h>
@@ -65,12 +66,47 @@ std::vector<Field> fields (MeasureRequest& request)
     return all;
 }
 
-MeasuredSurface measureOnBench (const MeasureRequest& request, const PointGuide& guide)
+Eigen::MatrixX2d placesToMeasure (const ModalModel& model, int count)
+{
+    constexpr int candidates = 60; // So few that chosen ones are some millimetres apart: aim is no better.
+    constexpr double margin = 0.08; // of the shorter side: aim is worst, and motion least like the drawing's, at edges
+    const auto& surface = model.surface;
+    const auto isLine = surface.kind == SurfaceKind::line;
+    const auto width = surface.xMaximum - surface.xMinimum, height = surface.yMaximum - surface.yMinimum;
+    const auto away = margin * (isLine ? width : std::min (width, height));
+    const auto isInside = [&] (double x, double y)
+    {
+        const auto up = isLine ? 0.0 : away;
+        return liesOn (surface, x - away, y) && liesOn (surface, x + away, y) && liesOn (surface, x, y - up)
+               && liesOn (surface, x, y + up);
+    };
+    const auto centres = squareCells (surface, candidates).centres;
+    std::vector<Eigen::Index> inside;
+
+    for (Eigen::Index c = 0; c < centres.rows(); ++c)
+        if (isInside (centres (c, 0), centres (c, 1)))
+            inside.push_back (c);
+
+    const Eigen::MatrixX2d at = centres (inside, Eigen::all);
+    Eigen::MatrixXd audibilities = shapesAtPlaces (model, at).cwiseAbs2();
+
+    // All modes count alike, however large their shapes are.
+    constexpr double signalToNoise = 100;
+    for (auto mode : audibilities.colwise())
+        if (const auto mean = mode.mean(); mean > 0)
+            mode *= signalToNoise / mean;
+
+    const PlayedInformation information (static_cast<std::size_t> (model.modes()), Eigen::VectorXd::Ones (1));
+    const auto choice = chooseSensors (information, audibilities, std::min<Eigen::Index> (count, at.rows()));
+    return at (choice.chosen, Eigen::all);
+}
+
+MeasuredSurface measureOnBench (const MeasureRequest& request, const PointGuide& guide, const OpenBench& open)
 {
     const auto model = excitedModel (request.excitation.device, request.excitation.usesCache);
     checkKindOfPlaces (model, request.points, "point");
     auto sheet = excitationFor (model, request.excitation);
-    const auto bench = benchFor (request, model);
+    const auto bench = open ? open (model, request.points) : benchFor (request, model);
     const MeasurementFolder folder (request.folder, sheet, request.points);
     RunAnalysisSettings analysis;
     analysis.latency = request.latency * request.excitation.sampleRate;
@@ -88,12 +124,17 @@ MeasuredSurface measure (const MeasureRequest& request, const ShowProgress& show
         throw InputError ("simulate", "is False; allowed: True, or a bench with a sensor by `antinode measure`");
 
     double told = 0;
-    return measureOnBench (
-        request, PointGuide (
-                     [&] (const std::string& sentence)
-                     {
-                         if (show)
-                             show (sentence, std::min (1.0, told++ / static_cast<double> (request.points.rows())));
-                     }));
+    PointGuide guide;
+    guide.tell = [&] (const std::string& sentence)
+    {
+        if (show)
+            show (sentence, std::min (1.0, told++ / static_cast<double> (request.points.rows())));
+    };
+    guide.wires = [&] (const SurfaceMeasurement&, const std::vector<WireFinding>& findings)
+    {
+        for (const auto& found : findings)
+            guide.tell ("wiring: " + wireInWords (found));
+    };
+    return measureOnBench (request, guide);
 }
 } // namespace antinode

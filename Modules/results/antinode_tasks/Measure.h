@@ -8,6 +8,9 @@
 #include <antinode_measurement/SimulatedBench.h>
 #include <antinode_measurement/SurfaceMeasurement.h>
 
+#include <functional>
+#include <memory>
+
 namespace antinode
 {
 inline constexpr TaskText measureText { "measure",
@@ -37,10 +40,19 @@ struct MeasuredSurface
     ExcitationSheet sheet;
 };
 
-/** Measures all points on a real or simulated bench, and writes responses.uff and report.html beside what is kept.
+/** Opens a bench for a model and the points that are measured, N_p x 2, m. */
+using OpenBench = std::function<std::unique_ptr<Bench> (const ModalModel&, const Eigen::MatrixX2d& points)>;
+
+/** Measures all points on a bench, and writes responses.uff and report.html beside what is kept.
+    @param open  none: the bench that the request says, real or simulated
     @throws InputError  as excitedModel, measurePoints and openAudioBench
     [worker] Docs/FileFormats.md. */
-MeasuredSurface measureOnBench (const MeasureRequest&, const PointGuide&);
+MeasuredSurface measureOnBench (const MeasureRequest&, const PointGuide&, const OpenBench& open = {});
+
+/** Places for a sensor that tell most of all modes together, the best first: away from edges and from nodal lines.
+    @return  at most count x 2, m
+    [worker] Docs/Theory.md, section 7.8. */
+Eigen::MatrixX2d placesToMeasure (const ModalModel&, int count);
 
 /** Measures on a simulated bench. @throws InputError  as measureOnBench, and where a real one is asked for [worker] */
 MeasuredSurface measure (const MeasureRequest&, const ShowProgress&);

@@ -6,6 +6,7 @@
 #include <juce_audio_devices/juce_audio_devices.h>
 
 #include <atomic>
+#include <memory>
 
 namespace antinode
 {
@@ -14,23 +15,35 @@ struct Take
 {
     Eigen::MatrixXf played;                ///< Samples x open outputs, of full scale.
     Eigen::MatrixXf recorded;              ///< Samples x open inputs: filled in.
-    std::atomic<Eigen::Index> samples = 0; ///< Number of samples played.
+    std::atomic<Eigen::Index> samples = 0; ///< Number of samples played: fewer than all, where it was ended before.
     std::atomic<bool> isDone = false;      ///< Once true, the audio thread no longer accesses the take.
 };
 
-/** Plays takes on an audio device, one after the other, and silence between them. A take that is stopped goes to 0 V on
-    a ramp. */
+/** Plays takes, one after the other: as the callback of an audio device, with silence between them, or within another
+   callback. A take that is stopped goes to 0 V on a ramp. */
 class PlayAndRecord : public juce::AudioIODeviceCallback
 {
 public:
-    /** Starts a take with the next block; the previous one must be done. The take outlives isDone. [any] one thread */
-    void begin (Take&);
+    /** Starts a take with the next block.
+        @throws InputError  where the previous one is not done: its device has stopped [any] one thread */
+    void begin (std::shared_ptr<Take>);
 
     /** Ramps to 0 V and ends the take. [any] */
     void stop() { stops = true; }
 
     /** The number of callbacks from the device. [any] */
     std::int64_t calls() const { return called; }
+
+    /** Before anything plays. @param sampleRate  Hz [any] */
+    void prepare (double sampleRate);
+
+    /** The next samples of a take, where there is one: it overwrites the outputs. Inputs that are null record nothing.
+        [audio thread] */
+    void process (const float* const* inputs, int inputCount, float* const* outputs, int outputCount, int count);
+
+    /** Ends a take that has begun, and one that has not where it may not begin. What it played is ramped elsewhere.
+        [audio thread] */
+    void cut (bool mayBegin);
 
     void audioDeviceAboutToStart (juce::AudioIODevice*) override;
     void audioDeviceStopped() override {}
@@ -39,8 +52,10 @@ public:
                                            const juce::AudioIODeviceCallbackContext&) override;
 
 private:
+    void end (Take&);
     void run (Take&, const float* const* inputs, int inputCount, float* const* outputs, int outputCount, int count);
 
+    std::shared_ptr<Take> kept; ///< Of who begins takes: the audio thread may have it as long as its device is silent.
     std::atomic<Take*> current { nullptr };
     std::atomic<bool> stops { false };
     std::atomic<std::int64_t> called { 0 };

@@ -12,21 +12,15 @@
 #include <antinode_measurement/SimulatedBench.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <thread>
 #include <utility>
 
 namespace antinode
 {
 namespace
 {
-using namespace std::chrono_literals;
-
-constexpr auto patience = 3s; // without a call of the device
-
 /** The channels of several roles, ascending. @throws InputError  where two roles share one */
 std::vector<int> distinct (std::vector<int> wanted, const std::string& kind)
 {
@@ -61,15 +55,33 @@ Eigen::Index channelColumn (const std::vector<int>& open, int channel)
 {
     return std::find (open.begin(), open.end(), channel) - open.begin();
 }
+
+/** Of the open channels of a device. */
+TakeLayout takeLayout (const BenchChannels& channels, Eigen::Index ceramics, double fullScale, double velocity)
+{
+    const auto outputs = usedOutputs (channels, ceramics), inputs = usedInputs (channels);
+    TakeLayout layout;
+    layout.syncOutput = channelColumn (outputs, channels.syncOutput);
+    layout.syncInput = channels.syncInput >= 0 ? channelColumn (inputs, channels.syncInput) : -1;
+    layout.fullScale = fullScale;
+    layout.velocity = velocity;
+
+    for (Eigen::Index k = 0; k < ceramics; ++k)
+        layout.ceramics.push_back (channelColumn (outputs, static_cast<int> (k)));
+
+    for (const auto sensor : channels.sensors)
+        layout.sensors.push_back (channelColumn (inputs, sensor));
+
+    return layout;
+}
 } // namespace
 
-AudioBench::AudioBench (AudioChoice choice, BenchChannels channelsToUse, Eigen::Index ceramics, double fullScale,
+AudioBench::AudioBench (AudioChoice choice, const BenchChannels& channels, Eigen::Index ceramics, double fullScale,
                         double fullScaleVelocity)
-    : channels (std::move (channelsToUse)), openOutputs (usedOutputs (channels, ceramics)),
-      openInputs (usedInputs (channels)), outputFullScale (fullScale), velocity (fullScaleVelocity)
+    : TakeBench (takeLayout (channels, ceramics, fullScale, fullScaleVelocity))
 {
-    choice.outputs = openOutputs;
-    choice.inputs = openInputs;
+    choice.outputs = usedOutputs (channels, ceramics);
+    choice.inputs = usedInputs (channels);
     openAudio (manager, choice);
     protectRamps();
     manager.addAudioCallback (&player);
@@ -86,105 +98,10 @@ AudioBench::~AudioBench()
     manager.closeAudioDevice();
 }
 
-Eigen::Index AudioBench::sensors() const
+double AudioBench::sampleRate() const
 {
-    return std::ssize (channels.sensors);
-}
-
-RunRecording AudioBench::play (const Excitation& excitation, Eigen::Index ceramic, Eigen::Index, Eigen::Index points)
-{
-    return playRun (playedRun (excitation, ceramic, outputFullScale), points);
-}
-
-RunRecording AudioBench::playTogether (const Eigen::MatrixXd& voltages, const Eigen::VectorXd& sync, double sampleRate,
-                                       Eigen::Index points)
-{
-    if (const auto open = openedAudio (manager).sampleRate; open != sampleRate)
-        throw InputError ("audio device", "runs at " + inWords (open) + " Hz; allowed: " + inWords (sampleRate)
-                                              + " Hz, the rate of the voltages");
-
-    Eigen::MatrixXd run (voltages.rows() + 1, voltages.cols());
-    run << voltages / outputFullScale, sync.transpose();
-
-    if (! run.allFinite() || run.cwiseAbs().maxCoeff() > 1)
-        throw InputError ("voltages", "are beyond full scale, " + inWords (outputFullScale) + " V");
-
-    return playRun (run, points);
-}
-
-/** @param run  (N_b + 1) x N_s, of full scale: ceramics, then the sync channel */
-RunRecording AudioBench::playRun (const Eigen::MatrixXd& run, Eigen::Index points)
-{
-    constexpr int attempts = 3;
-    Eigen::MatrixXf played = Eigen::MatrixXf::Zero (run.cols(), std::ssize (openOutputs));
-
-    for (Eigen::Index i = 0; i + 1 < run.rows(); ++i)
-        played.col (channelColumn (openOutputs, static_cast<int> (i))) = run.row (i).transpose().cast<float>();
-
-    played.col (channelColumn (openOutputs, channels.syncOutput)) = run.bottomRows (1).transpose().cast<float>();
-
-    for (int attempt = 0; attempt < attempts; ++attempt)
-    {
-        Take take;
-        take.played = played;
-        take.recorded = Eigen::MatrixXf::Zero (run.cols(), std::ssize (openInputs));
-        const auto lostBefore = manager.getXRunCount();
-        player.begin (take);
-        waitFor (take);
-
-        if (manager.getXRunCount() == lostBefore || isInterrupted())
-            return toRecording (take, points);
-    }
-
-    throw InputError ("audio device", "keeps losing samples; choose a larger --block, or stop other programs");
-}
-
-/** Waits until a take is done; an interruption ends it at 0 V. */
-void AudioBench::waitFor (Take& take)
-{
-    auto calls = player.calls();
-    auto called = std::chrono::steady_clock::now();
-    auto isDead = false;
-
-    while (! take.isDone && ! isDead)
-    {
-        std::this_thread::sleep_for (5ms);
-
-        if (isInterrupted())
-            player.stop();
-
-        if (player.calls() != calls)
-        {
-            calls = player.calls();
-            called = std::chrono::steady_clock::now();
-        }
-
-        isDead = std::chrono::steady_clock::now() - called > patience;
-    }
-
-    if (isDead)
-    {
-        manager.closeAudioDevice(); // Before the take goes: its callback ends here.
-        throw InputError ("audio device", "has stopped");
-    }
-}
-
-RunRecording AudioBench::toRecording (const Take& take, Eigen::Index points) const
-{
-    RunRecording recording;
-    recording.sensors.resize (points, take.recorded.rows());
-
-    for (Eigen::Index sensor = 0; sensor < points; ++sensor)
-        recording.sensors.row (sensor) =
-            take.recorded.col (channelColumn (openInputs, channels.sensors[static_cast<std::size_t> (sensor)]))
-                .cast<double>()
-                .transpose()
-            * velocity;
-
-    if (channels.syncInput >= 0)
-        recording.sync = take.recorded.col (channelColumn (openInputs, channels.syncInput)).cast<double>();
-
-    return recording;
+    auto* const device = manager.getCurrentAudioDevice();
+    return device != nullptr ? device->getCurrentSampleRate() : 0;
 }
 
 namespace

@@ -1,13 +1,15 @@
 #pragma once
 
-#include "Bench.h"
+#include "TakeBench.h"
 
 #include <antinode_audio/AudioChoice.h>
-#include <antinode_audio/PlayAndRecord.h>
 #include <antinode_documents/ExcitationFile.h>
 #include <antinode_model/ModalModel.h>
 
+#include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace antinode
@@ -22,31 +24,24 @@ struct BenchChannels
 
 /** The real bench: an audio device, its outputs on the amplifiers, its inputs on the sensors, one output looped back to
     one input. */
-class AudioBench : public Bench
+class AudioBench : public TakeBench
 {
 public:
     /** Opens the device.
         @param fullScale            The voltage of an output of 1, V
         @param fullScaleVelocity  The velocity of an input of 1, m/s
         @throws InputError  where it does not open as requested, or two roles have one channel [message thread] */
-    AudioBench (AudioChoice, BenchChannels, Eigen::Index ceramics, double fullScale, double fullScaleVelocity);
+    AudioBench (AudioChoice, const BenchChannels&, Eigen::Index ceramics, double fullScale, double fullScaleVelocity);
     ~AudioBench() override;
 
-    Eigen::Index sensors() const override;
-    double fullScaleVelocity() const override { return velocity; }
-
-    /** A run that lost samples is repeated, at most twice; an interrupted run ramps to 0 V and is incomplete. [message
-        thread] */
-    RunRecording play (const Excitation&, Eigen::Index ceramic, Eigen::Index firstPoint, Eigen::Index points) override;
-
-    /** The same of all ceramics at once. [message thread] */
-    RunRecording playTogether (const Eigen::MatrixXd& voltages, const Eigen::VectorXd& sync, double sampleRate,
-                               Eigen::Index points) override;
-
 private:
-    RunRecording playRun (const Eigen::MatrixXd& run, Eigen::Index points);
-    void waitFor (Take&);
-    RunRecording toRecording (const Take&, Eigen::Index points) const;
+    double sampleRate() const override;
+    std::int64_t calls() const override { return player.calls(); }
+    int lostBlocks() const override { return manager.getXRunCount(); }
+    void begin (std::shared_ptr<Take> take) override { player.begin (std::move (take)); }
+    void stop() override { player.stop(); }
+    void leave() override { manager.closeAudioDevice(); }
+    std::string whyEnded() const override { return "was ended before its end"; }
 
     /** Before the device manager, which opens ALSA from JUCE 8 on. */
     struct QuietLibraries
@@ -58,9 +53,6 @@ private:
     QuietLibraries quiet;
     juce::AudioDeviceManager manager;
     PlayAndRecord player;
-    BenchChannels channels;
-    std::vector<int> openOutputs, openInputs; ///< Ascending.
-    double outputFullScale, velocity;
 };
 
 /** What to connect, to check with meter and scope, and to expect, before a device is measured: numbered steps with the

@@ -1,14 +1,10 @@
 #include "Measuring.h"
 
-#include <antinode_audio/Interruption.h>
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
-#include <antinode_base/Prefixes.h>
 #include <antinode_base/Progress.h>
 #include <antinode_base/Watch.h>
 #include <antinode_base/WholeFile.h>
-#include <antinode_documents/ExcitationFile.h>
-#include <antinode_identification/Wiring.h>
 #include <antinode_responses/PointResponseFile.h>
 #include <antinode_text/CsvText.h>
 
@@ -16,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <utility>
 
 namespace antinode
@@ -90,49 +85,13 @@ void MeasurementFolder::restore (SurfaceMeasurement& measurement, Eigen::Index p
 
 namespace
 {
-} // namespace
-
-PointAnswer PointGuide::ask (const Eigen::MatrixX2d& places, Eigen::Index first, Eigen::Index count) const
-{
-    std::string answer;
-
-    while (! silent)
-    {
-        for (auto p = first; p < first + count; ++p)
-            std::printf ("point %td of %td: %.6g, %.6g mm\n", p + 1, places.rows(), places (p, 0) * milli,
-                         places (p, 1) * milli);
-
-        std::printf ("Enter measures, s skips, r repeats the previous point, q ends for now: ");
-        std::fflush (stdout);
-
-        if (! std::getline (std::cin, answer) || answer == "q")
-            return PointAnswer::end;
-
-        if (answer == "s")
-            return PointAnswer::skip;
-
-        if (answer == "r")
-            return PointAnswer::again;
-
-        if (answer.empty())
-            break;
-    }
-
-    return PointAnswer::measure;
-}
-
-void PointGuide::tell (const std::string& sentence) const
-{
-    if (listener)
-        return listener (sentence);
-
-    std::printf ("%s\n", sentence.c_str());
-    std::fflush (stdout);
-}
-
-namespace
-{
 constexpr double clipping = 0.999; // of full scale
+
+void tell (const PointGuide& guide, const std::string& sentence)
+{
+    if (guide.tell)
+        guide.tell (sentence);
+}
 
 /** All that stays the same from point to point. */
 struct Measuring
@@ -162,16 +121,16 @@ std::string keptInWords (const MeasurementFolder& folder, Eigen::Index points)
                       points);
 }
 
-/** One run. @throws Cancelled  if the user interrupts it: the recording is then incomplete */
+/** One run. @throws Cancelled  if the user interrupts it */
 RunRecording playRun (const Measuring& measuring, const Excitation& excitation, Eigen::Index ceramic,
                       Eigen::Index first, Eigen::Index count)
 {
-    auto run = measuring.bench.play (excitation, ceramic, first, count);
+    checkWatch();
 
-    if (isInterrupted())
-        throw Cancelled();
+    if (measuring.guide.plays)
+        measuring.guide.plays (ceramic);
 
-    return run;
+    return measuring.bench.play (excitation, ceramic, first, count);
 }
 
 /** Plays every ceramic at a low level and predicts the inputs at full level. */
@@ -199,11 +158,12 @@ void checkLevels (const Measuring& measuring, Eigen::Index first, Eigen::Index c
                                      "or a larger range of the sensor or the input",
                                      100 * largest / fullScale));
 
-    measuring.guide.tell (formatted (
-        "level check: at most %.3g mm/s at full level%s, latency %.2f samples", largest * 1000,
-        std::isfinite (fullScale) ? formatted (", %.1f %% of the input's full scale", 100 * largest / fullScale).c_str()
-                                  : "",
-        latency));
+    tell (measuring.guide,
+          formatted ("level check: at most %.3g mm/s at full level%s, latency %.2f samples", largest * 1000,
+                     std::isfinite (fullScale)
+                         ? formatted (", %.1f %% of the input's full scale", 100 * largest / fullScale).c_str()
+                         : "",
+                     latency));
 }
 
 /** "point 3 of 99" or "points 17 to 32 of 99". */
@@ -229,9 +189,10 @@ bool measureAt (const Measuring& measuring, SurfaceMeasurement& measurement, Eig
     const auto share = largest / measuring.bench.fullScaleVelocity();
     const auto coherence = meanCoherence (measurement).middleRows (first, count).mean();
     const auto pace = measuring.left.at (static_cast<double> (first + count) / static_cast<double> (points));
-    measuring.guide.tell (formatted (
-        "%s: at most %.3g mm/s, coherence %.5f%s%s", pointsInWords (first, count, points).c_str(), largest * 1000,
-        coherence, share > clipping ? ", CLIPPED: not kept" : "", pace.empty() ? "" : ("; " + pace).c_str()));
+    tell (measuring.guide,
+          formatted ("%s: at most %.3g mm/s, coherence %.5f%s%s", pointsInWords (first, count, points).c_str(),
+                     largest * 1000, coherence, share > clipping ? ", CLIPPED: not kept" : "",
+                     pace.empty() ? "" : ("; " + pace).c_str()));
     return ! (share > clipping);
 }
 
@@ -255,8 +216,8 @@ Eigen::Index pointsTogether (const Bench& bench, const MeasurementFolder& folder
 /** While a wrong wire is still easily changed, and once more when all is known. */
 void tellWiring (const Measuring& measuring, const SurfaceMeasurement& measurement)
 {
-    for (const auto& found : checkWiring (measuring.drawn, measurement.responses))
-        measuring.guide.tell ("wiring: " + wireInWords (found));
+    if (measuring.guide.wires)
+        measuring.guide.wires (measurement, checkWiring (measuring.drawn, measurement.responses));
 }
 
 SurfaceMeasurement measureAll (const Measuring& measuring, const MeasurementFolder& folder)
@@ -275,7 +236,7 @@ SurfaceMeasurement measureAll (const Measuring& measuring, const MeasurementFold
         }
 
         const auto count = pointsTogether (bench, folder, first, points.rows());
-        const auto answer = guide.ask (points, first, count);
+        const auto answer = guide.ask ? guide.ask (points, first, count) : PointAnswer::measure;
         checkWatch();
 
         if (answer == PointAnswer::end)
@@ -302,7 +263,7 @@ SurfaceMeasurement measureAll (const Measuring& measuring, const MeasurementFold
                 repeated = -1;
                 first += count;
             }
-            else if (guide.isSilent())
+            else if (! guide.ask)
                 endForNow (folder, points.rows());
         }
     }
@@ -339,7 +300,7 @@ SurfaceMeasurement measurePoints (Bench& bench, const ExcitationSheet& sheet, co
     }
     catch (const Cancelled&)
     {
-        guide.tell ("measurement: " + keptInWords (folder, points.rows()));
+        tell (guide, "measurement: " + keptInWords (folder, points.rows()));
         throw;
     }
 }

@@ -4,13 +4,14 @@
 
 #include <Eigen/Core>
 #include <antinode_documents/ExcitationFile.h>
+#include <antinode_identification/Wiring.h>
 #include <antinode_measurement/RunAnalysis.h>
 #include <antinode_measurement/SurfaceMeasurement.h>
 
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <utility>
+#include <vector>
 
 namespace antinode
 {
@@ -48,34 +49,22 @@ enum class PointAnswer
     end
 };
 
-/** Leads a user with a scanning sensor from point to point, by lines on the terminal. */
-class PointGuide
+/** How a measurement talks with whoever makes it; what is missing is left out. [worker] calls */
+struct PointGuide
 {
-public:
-    /** @param asksNoQuestions  everything is measured as it comes */
-    explicit PointGuide (bool asksNoQuestions) : silent (asksNoQuestions) {}
+    /** Asks for the sensors to be put at consecutive points, and waits for the answer; none: everything is measured as
+        it comes.
+        @param places  N_p x 2, m */
+    std::function<PointAnswer (const Eigen::MatrixX2d& places, Eigen::Index first, Eigen::Index count)> ask;
 
-    /** Asks no questions, and hands on what it tells in place of writing it on the terminal. */
-    explicit PointGuide (std::function<void (const std::string& sentence)> listenerToUse)
-        : silent (true), listener (std::move (listenerToUse))
-    {
-    }
+    /** Says how it went, in a line. */
+    std::function<void (const std::string& sentence)> tell;
 
-    /** Asks for the sensors to be put at consecutive points, and waits for an answer that it understands; the end of
-       the input means the end.
-        @param places     N_p x 2, m
-        [worker] */
-    PointAnswer ask (const Eigen::MatrixX2d& places, Eigen::Index first, Eigen::Index count) const;
+    /** Called before each ceramic is played. */
+    std::function<void (Eigen::Index ceramic)> plays;
 
-    /** Whether the user is not asked. */
-    bool isSilent() const { return silent; }
-
-    /** Says how a measurement went, in a line. */
-    void tell (const std::string& sentence) const;
-
-private:
-    bool silent;
-    std::function<void (const std::string&)> listener; ///< None: the terminal.
+    /** What is measured so far, and which wires are wrong by it: after the first point and at the end. */
+    std::function<void (const SurfaceMeasurement&, const std::vector<WireFinding>&)> wires;
 };
 
 /** What the level check plays before the first point: a short multisine in the same band at a tenth of the levels.

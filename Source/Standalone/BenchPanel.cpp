@@ -1,0 +1,605 @@
+#include "BenchPanel.h"
+
+#include <Editor/EditorLook.h>
+#include <antinode_base/InputError.h>
+#include <antinode_base/MessageText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_base/WholeFile.h>
+#include <antinode_reports/Lettering.h>
+#include <antinode_text/JsonReader.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace antinode
+{
+namespace
+{
+constexpr int benchNameWidth = 148, surfaceHeight = 230, chartHeight = 200, checklistHeight = 220, benchGap = 6;
+constexpr int refreshHz = 10;
+constexpr int noSync = OutputRouting::maximumOutputs + 1; // identifiers of a choice cannot be 0
+constexpr double usualShare = 20;                         // % of the limits
+
+bool isWaiting (BenchStep step)
+{
+    return step == BenchStep::aiming || step == BenchStep::wires;
+}
+
+bool isRunning (BenchStep step)
+{
+    return step != BenchStep::none && step != BenchStep::done && step != BenchStep::failed;
+}
+
+int heightOf (const juce::String& text, int width)
+{
+    juce::AttributedString words;
+    words.append (text, EditorLook::font());
+    juce::TextLayout layout;
+    layout.createLayout (words, static_cast<float> (std::max (1, width - 10)));
+    return text.isEmpty() ? 0 : juce::roundToInt (layout.getHeight()) + 10;
+}
+
+juce::String signedPercent (double share)
+{
+    return (share >= 0 ? "+" : fromUtf8 ("\xE2\x88\x92")) + juce::String (fixedText (100 * std::abs (share), 1)) + " %";
+}
+
+const ModalModel& modelOf (const BenchState& state)
+{
+    return *state.picture->model;
+}
+} // namespace
+
+void BenchPanel::Page::paint (juce::Graphics& g)
+{
+    g.setColour (EditorLook::findPalette (*this).mutedText);
+
+    if (! headings.isEmpty())
+        WireRow::paintHeadings (g, headings);
+}
+
+BenchPanel::BenchPanel (AudioHost& hostToUse) : host (hostToUse), audio (std::make_shared<BenchDevice> (host))
+{
+    setTitle ("Bench");
+    folder = juce::File::getSpecialLocation (juce::File::userDocumentsDirectory)
+                 .getChildFile ("Antinode")
+                 .getFullPathName()
+                 .toStdString();
+    viewport.setViewedComponent (&page, false);
+    viewport.setScrollBarsShown (true, false);
+    addAndMakeVisible (viewport);
+    makeSensor();
+    makeActions();
+
+    for (auto* const child : std::initializer_list<juce::Component*> { &heading, &text, &surface, &chart, &checklist })
+        page.addAndMakeVisible (child);
+
+    heading.setFont (EditorLook::font (EditorLook::textHeight + 2, true));
+    text.setFont (EditorLook::font());
+    text.setJustificationType (juce::Justification::topLeft);
+    text.setMinimumHorizontalScale (1);
+    checklist.setMultiLine (true, false);
+    checklist.setReadOnly (true);
+    checklist.setTitle ("Checklist");
+    checklist.setFont (EditorLook::font (EditorLook::smallTextHeight));
+    chooseTour (true);
+    startTimerHz (refreshHz);
+}
+
+BenchPanel::~BenchPanel()
+{
+    work->leave();
+    audio->close();
+}
+
+void BenchPanel::makeSensor()
+{
+    const std::array<const char*, 6> words { "Bench",
+                                             "Input of the sensor",
+                                             "Input of the sync loop",
+                                             "Sensitivity, mm/s per V",
+                                             "Full scale of an input, V",
+                                             "Level, % of the limits" };
+    bench.addItem ("Tour: simulated, drives nothing", tour);
+    bench.addItem ("Audio device of this program", real);
+    bench.setTitle ("Bench");
+    bench.onChange = [this] { chooseTour (isTour()); };
+    input.setTooltip ("Input of the audio device that the vibrometer or accelerometer is wired to");
+    syncInput.setTooltip ("Input that is wired to the output of the sync marker (Settings, Routing): it measures the "
+                          "latency. Without it the latency is what the driver says");
+    sensitivity.setTooltip ("Sensor: mm/s per V");
+    inputRange.setTooltip ("Voltage of a full-scale sample of the input, V");
+    level.setTooltip ("Peak of what each ceramic plays, % of the limit of the ceramic and its amplifier");
+    const auto& sensor = host.settings().bench;
+    sensitivity.setText (sensor.scale.sensitivity > 0 ? juce::String (inWords (sensor.scale.sensitivity)) : "", false);
+    inputRange.setText (inWords (sensor.scale.inputFullScale), false);
+    level.setText (inWords (usualShare), false);
+    input.onChange = syncInput.onChange = [this] { takeSensor(); };
+
+    for (auto* const editor : { &sensitivity, &inputRange, &level })
+    {
+        editor->setInputRestrictions (12, "0123456789.,%mVs/ ");
+        editor->onReturnKey = editor->onFocusLost = [this] { takeSensor(); };
+        editor->setEscapeAndReturnKeysConsumed (false);
+    }
+
+    for (auto* const editor : { &sensitivity, &inputRange, &level, &deviceName })
+    {
+        editor->setFont (EditorLook::font (EditorLook::smallTextHeight));
+        editor->setJustification (juce::Justification::centredLeft);
+        page.addAndMakeVisible (editor);
+    }
+
+    for (auto* const choice : { &bench, &input, &syncInput })
+        page.addAndMakeVisible (choice);
+
+    for (std::size_t i = 0; i < names.size(); ++i)
+    {
+        names[i].setText (words[i], juce::dontSendNotification);
+        names[i].setFont (EditorLook::font (EditorLook::smallTextHeight));
+        page.addAndMakeVisible (names[i]);
+    }
+}
+
+void BenchPanel::makeActions()
+{
+    beginButton.setTooltip (
+        "Chooses the points and writes the checklist; nothing is played yet. A measurement that was "
+        "interrupted goes on");
+    stopButton.setTooltip ("Ramps to 0 V and ends; what is measured is kept");
+    measureButton.setTooltip ("The sensor is at the cross: plays each ceramic and records");
+    skipButton.setTooltip ("Goes on without this point");
+    againButton.setTooltip ("Measures the previous point again");
+    correctButton.setTooltip ("Gives exchanged ceramics each other's outputs and reversed ones the other polarity in "
+                              "Settings, Routing, then measures the first point again");
+    goOnButton.setTooltip ("Leaves the wires as they are");
+    saveButton.setTooltip ("Writes the retuned device as a file and loads it; the focus stays");
+    beginButton.onClick = [this] { begin(); };
+    stopButton.onClick = [this] { stop(); };
+    measureButton.onClick = goOnButton.onClick = [this] { answer (PointAnswer::measure); };
+    skipButton.onClick = [this] { answer (PointAnswer::skip); };
+    againButton.onClick = [this] { answer (PointAnswer::again); };
+    correctButton.onClick = [this] { correctRouting(); };
+    saveButton.onClick = [this] { save (deviceName.getText()); };
+
+    for (auto* const button : { &beginButton, &stopButton, &measureButton, &skipButton, &againButton, &correctButton,
+                                &goOnButton, &saveButton })
+        page.addAndMakeVisible (button);
+}
+
+void BenchPanel::chooseTour (bool isTourWanted)
+{
+    stop();
+    state = {};
+    bench.setSelectedId (isTourWanted ? tour : real, juce::dontSendNotification);
+    tourRouting = straightRouting();
+    openInputs = -1;
+    refresh();
+}
+
+/** What is no number stays as it was. */
+void BenchPanel::takeSensor()
+{
+    auto sensor = host.settings().bench;
+    const auto typed = [] (const juce::TextEditor& editor, std::initializer_list<std::string_view> units, double before)
+    {
+        const auto value = typedNumber (editor.getText().trim().toStdString(), units).value_or (0);
+        return value > 0 ? value : before;
+    };
+    sensor.scale.sensitivity = typed (sensitivity, { "mm/s/V", "mm/s per V" }, sensor.scale.sensitivity);
+    sensor.scale.inputFullScale = typed (inputRange, { "V" }, sensor.scale.inputFullScale);
+
+    if (input.getSelectedId() > 0)
+        sensor.input = input.getSelectedId() - 1;
+
+    if (syncInput.getSelectedId() > 0)
+        sensor.syncInput = syncInput.getSelectedId() == noSync ? -1 : syncInput.getSelectedId() - 1;
+
+    host.setBench (sensor);
+}
+
+/** The inputs that are open: others record nothing. */
+void BenchPanel::fillInputs()
+{
+    auto* const opened = host.devices().getCurrentAudioDevice();
+    const auto open = opened != nullptr ? opened->getActiveInputChannels() : juce::BigInteger();
+
+    if (std::exchange (openInputs, open.toInteger() + 1) == open.toInteger() + 1)
+        return;
+
+    for (auto* const choice : { &input, &syncInput })
+    {
+        choice->clear (juce::dontSendNotification);
+
+        for (auto channel = open.findNextSetBit (0); channel >= 0; channel = open.findNextSetBit (channel + 1))
+            choice->addItem (juce::String (channel + 1), channel + 1);
+
+        choice->setTextWhenNothingSelected ("not open");
+    }
+
+    syncInput.addItem ("none", noSync);
+    const auto& sensor = host.settings().bench;
+    input.setSelectedId (open[sensor.input] ? sensor.input + 1 : 0, juce::dontSendNotification);
+    syncInput.setSelectedId (sensor.syncInput < 0     ? noSync
+                             : open[sensor.syncInput] ? sensor.syncInput + 1
+                                                      : 0,
+                             juce::dontSendNotification);
+}
+
+BenchQuestion BenchPanel::question()
+{
+    BenchQuestion asked;
+    asked.device = device();
+    asked.folder = folder;
+    asked.levelShare =
+        std::clamp (typedNumber (level.getText().trim().toStdString(), { "%" }).value_or (usualShare), 0.1, 100.0)
+        / 100;
+    asked.amplifiers = amplifierVoltages (routing());
+    asked.syncOutput = routing().marker.output;
+
+    if (isTour())
+    {
+        asked.open = simulatedTour (tourRouting);
+        return asked;
+    }
+
+    takeSensor();
+    const auto sensor = host.settings().bench;
+    const auto hasSync = asked.syncOutput >= 0 && sensor.syncInput >= 0;
+    asked.sensor = sensor;
+    asked.hasSync = hasSync;
+    asked.sampleRate = host.callback().sampleRate();
+
+    if (auto* const opened = host.devices().getCurrentAudioDevice(); opened != nullptr && asked.sampleRate > 0)
+        asked.latency =
+            std::max (0, opened->getOutputLatencyInSamples() + opened->getInputLatencyInSamples()) / asked.sampleRate;
+
+    asked.open = [kept = audio, sensor, hasSync] (const ModalModel& model,
+                                                  const Eigen::MatrixX2d&) -> std::unique_ptr<Bench>
+    { return std::make_unique<HostBench> (kept, sensor, hasSync, model); };
+    return asked;
+}
+
+void BenchPanel::begin()
+{
+    saved = {};
+
+    if (! isTour() && ! (host.callback().sampleRate() > 0))
+    {
+        saved = "No audio device is open. Choose one in Settings, Audio device, with the input of the sensor.";
+        return refresh();
+    }
+
+    work->ask (question());
+    refresh();
+}
+
+void BenchPanel::stop()
+{
+    work->stop();
+    refresh();
+}
+
+void BenchPanel::setRouting (const OutputRouting& routing)
+{
+    if (isTour())
+        tourRouting = routing;
+    else
+        host.setRouting (routing);
+}
+
+void BenchPanel::correctRouting()
+{
+    setRouting (withRightWires (routing(), state.findings));
+    auto asked = question();
+    asked.isAnew = true; // What was measured by the wrong wires does not count.
+    work->ask (std::move (asked));
+    refresh();
+}
+
+void BenchPanel::scaleAmplifier (std::size_t ceramic, double ratio)
+{
+    auto wanted = routing();
+    const auto output = wanted.outputs[ceramic];
+
+    if (output == OutputRouting::none || state.picture == nullptr)
+        return;
+
+    auto& volts = wanted.chains[static_cast<std::size_t> (output)].voltsPerFullScale;
+    volts = ratio * (volts > 0 ? volts : modelOf (state).fullScaleVoltage);
+    setRouting (wanted);
+}
+
+void BenchPanel::save (const juce::String& name)
+{
+    if (state.retuned == nullptr)
+        return;
+
+    try
+    {
+        const auto wanted = name.trim().toStdString();
+        const auto file = folder / (wanted + ".json");
+
+        if (wanted.empty() || wanted.find_first_of ("/\\") != std::string::npos)
+            throw InputError ("name", "is empty or has a slash; allowed: the name of a file without its ending");
+
+        if (std::error_code ignored; std::filesystem::exists (file, ignored))
+            throw InputError (file.string(), "already exists; choose another name");
+
+        const auto written = namedDeviceText (*state.retuned, wanted);
+        writeWholeFile (file, written);
+        saved = "Saved " + fromUtf8 (file.string()) + " and loaded.";
+
+        if (onSaved)
+            onSaved (std::make_shared<const DeviceDocument> (
+                readDeviceDocument (nlohmann::json::parse (written), file.string())));
+    }
+    catch (const InputError& failure)
+    {
+        saved = fromUtf8 (failure.what());
+    }
+
+    refresh();
+}
+
+void BenchPanel::refresh()
+{
+    auto now = work->state();
+    const auto isOther = std::exchange (state, std::move (now)).step != state.step;
+
+    if (! isTour())
+        fillInputs();
+
+    makeRows();
+    showRows();
+    surface.show (state);
+
+    if (isOther && state.step == BenchStep::aiming && checklist.isEmpty())
+        checklist.setText (fromUtf8 (state.checklist), false);
+
+    if (state.step == BenchStep::preparing || state.step == BenchStep::none)
+        checklist.clear();
+
+    if (isOther && state.step == BenchStep::done)
+    {
+        chart.setChart (state.chart, {});
+        deviceName.setText (fromUtf8 (state.retuned->before.name) + " retuned", false);
+    }
+
+    showWords();
+    layOut();
+}
+
+void BenchPanel::makeRows()
+{
+    // What was read of the wires stays while the same device is measured again.
+    if (state.picture == nullptr || std::exchange (rowsOf, state.device) == state.device)
+        return;
+
+    const auto ceramics = modelOf (state).ceramics.size();
+
+    rows.clear();
+
+    for (std::size_t k = 0; k < ceramics; ++k)
+    {
+        rows.push_back (std::make_unique<WireRow> (k));
+        rows.back()->onTone = [this, k] (double ratio) { scaleAmplifier (k, ratio); };
+        rows.back()->onIdentify = [this, k]
+        {
+            const auto ceramic = static_cast<int> (k);
+            host.router().identify (host.router().identified() == ceramic ? OutputRouting::none : ceramic);
+        };
+        page.addAndMakeVisible (*rows.back());
+    }
+}
+
+void BenchPanel::showRows()
+{
+    if (state.picture == nullptr)
+        return;
+
+    const auto canIdentify = ! isTour() && host.arm().get() && state.step != BenchStep::playing;
+
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        rows[k]->show (state, canIdentify, host.router().identified() == static_cast<int> (k));
+}
+
+juce::String BenchPanel::title() const
+{
+    const auto place =
+        "Point " + juce::String (state.point + 1) + " of " + juce::String (static_cast<int> (state.points.rows()));
+
+    switch (state.step)
+    {
+        case BenchStep::none:
+            return "Measure the device";
+        case BenchStep::preparing:
+            return "Preparing";
+        case BenchStep::aiming:
+            return place + ": aim the sensor at the cross";
+        case BenchStep::playing:
+            return place + ": ceramic " + juce::String (state.ceramic + 1) + " of "
+                   + juce::String (static_cast<int> (rows.size())) + " plays";
+        case BenchStep::wires:
+            return "Some wires are wrong";
+        case BenchStep::retuning:
+            return "Retuning the drawing";
+        case BenchStep::done:
+            return "Retuned";
+        case BenchStep::failed:
+            return "Stopped";
+    }
+
+    return {};
+}
+
+juce::String BenchPanel::outcome() const
+{
+    const auto& now = state.retuned->now;
+    const auto found = std::count (now.found.begin(), now.found.end(), true);
+    auto words = juce::String (static_cast<int> (found)) + " of " + juce::String (static_cast<int> (now.found.size()))
+                 + " modes found; frequencies " + signedPercent (now.frequencyChanges.minCoeff()) + " to "
+                 + signedPercent (now.frequencyChanges.maxCoeff()) + " against the drawing.\nThe drawing misses "
+                 + juce::String (juce::roundToInt (100 * state.missBefore))
+                 + " % of the measured responses, the retuned device "
+                 + juce::String (juce::roundToInt (100 * state.missAfter)) + " %.";
+
+    if (state.latency > 0)
+        words += " Latency: " + juce::String (fixedText (state.latency * milli, 3)) + " ms.";
+
+    for (const auto& remark : state.retuned->remarks)
+        words += "\n" + fromUtf8 (remark);
+
+    return words + "\nReport: " + fromUtf8 ((state.folder / "report.html").string());
+}
+
+juce::String BenchPanel::words() const
+{
+    juce::String said;
+
+    switch (state.step)
+    {
+        case BenchStep::none:
+            said = isTour()
+                       ? "The tour leads through a measurement of the loaded device without hardware: plate, wires "
+                         "and sensor are simulated, and no voltage is played. Its plate is a little off the "
+                         "drawing, and some of its wires are wrong."
+                       : "Measures the loaded device at six points with a sensor, checks every wire by its answer, "
+                         "and updates the drawing. Read the safety notes first; amplifiers stay off until the "
+                         "checklist says so.";
+            break;
+        case BenchStep::preparing:
+            said = fromUtf8 ("Solves the device and chooses six points \xE2\x80\xA6");
+            break;
+        case BenchStep::wires:
+            for (const auto& found : state.findings)
+                said += fromUtf8 (wireInWords (found)) + "\n";
+
+            said = said.trimEnd();
+            break;
+        case BenchStep::retuning:
+            said = fromUtf8 ("Finds the modes of the drawing in the measured responses \xE2\x80\xA6");
+            break;
+        case BenchStep::done:
+            said = outcome();
+            break;
+        case BenchStep::failed:
+            said = fromUtf8 (state.error);
+            break;
+        case BenchStep::aiming:
+        case BenchStep::playing:
+            said = aimInWords (modelOf (state).surface, state.points.row (state.point).transpose());
+
+            if (! isTour() && state.step == BenchStep::aiming && ! host.arm().get())
+                said += "\nPress ARM before you measure.";
+
+            if (! state.sentences.empty())
+                said += "\n" + fromUtf8 (state.sentences.back());
+    }
+
+    return saved.isEmpty() ? said : said + "\n" + saved;
+}
+
+void BenchPanel::showWords()
+{
+    const auto& palette = EditorLook::findPalette (*this);
+    heading.setText (title(), juce::dontSendNotification);
+    text.setText (words(), juce::dontSendNotification);
+    const auto isWarning = state.step == BenchStep::wires || state.step == BenchStep::failed;
+    heading.setColour (juce::Label::textColourId, isWarning ? palette.warning : palette.text);
+    beginButton.setButtonText (state.step == BenchStep::failed ? "Go on"
+                               : state.step == BenchStep::done ? "Begin again"
+                                                               : "Begin");
+}
+
+void BenchPanel::layOutSensor (juce::Rectangle<int>& area)
+{
+    const std::array<juce::Component*, 6> fields { &bench, &input, &syncInput, &sensitivity, &inputRange, &level };
+    const auto isIdle = ! isRunning (state.step);
+
+    for (std::size_t i = 0; i < fields.size(); ++i)
+    {
+        const auto isShown = i == 0 || (isIdle && (! isTour() || i == fields.size() - 1));
+        fields[i]->setVisible (isShown);
+        names[i].setVisible (isShown);
+        fields[i]->setEnabled (isIdle);
+
+        if (! isShown)
+            continue;
+
+        auto row = area.removeFromTop (panelRowHeight).reduced (0, 2);
+        names[i].setBounds (row.removeFromLeft (benchNameWidth));
+        fields[i]->setBounds (row);
+    }
+}
+
+void BenchPanel::layOut()
+{
+    const auto width = std::max (0, viewport.getWidth() - viewport.getScrollBarThickness() - benchGap);
+    auto area = juce::Rectangle<int> (0, 0, width, 10000);
+    const auto step = state.step;
+    const auto hasPicture = state.picture != nullptr && step != BenchStep::none;
+    const auto place = [&] (juce::Component& child, bool isShown, int height)
+    {
+        child.setVisible (isShown);
+
+        if (isShown)
+            child.setBounds (area.removeFromTop (height).withTrimmedBottom (benchGap));
+    };
+    const auto placeRow = [&] (std::initializer_list<std::pair<juce::Button*, bool>> buttons)
+    {
+        const auto count = static_cast<int> (
+            std::count_if (buttons.begin(), buttons.end(), [] (const auto& each) { return each.second; }));
+        auto row = count > 0 ? area.removeFromTop (panelRowHeight + benchGap).withTrimmedBottom (benchGap)
+                             : juce::Rectangle<int>();
+        const auto each = count > 0 ? row.getWidth() / count : 0;
+
+        for (const auto& [button, isShown] : buttons)
+        {
+            button->setVisible (isShown);
+
+            if (isShown)
+                button->setBounds (row.removeFromLeft (each).reduced (1, 1));
+        }
+    };
+    layOutSensor (area);
+    place (heading, true, panelRowHeight + benchGap);
+    place (text, text.getText().isNotEmpty(), heightOf (text.getText(), width) + benchGap);
+    placeRow ({ { &measureButton, step == BenchStep::aiming },
+                { &skipButton, step == BenchStep::aiming },
+                { &againButton, step == BenchStep::aiming && state.point > 0 },
+                { &correctButton, step == BenchStep::wires },
+                { &goOnButton, step == BenchStep::wires } });
+    placeRow ({ { &beginButton, ! isRunning (step) }, { &stopButton, isRunning (step) } });
+    place (surface, hasPicture && step != BenchStep::done, surfaceHeight);
+    place (chart, step == BenchStep::done, chartHeight);
+    place (deviceName, step == BenchStep::done, panelRowHeight + benchGap);
+    placeRow ({ { &saveButton, step == BenchStep::done } });
+    page.headings =
+        hasPicture ? area.removeFromTop (panelRowHeight).withTrimmedBottom (benchGap) : juce::Rectangle<int>();
+
+    for (auto& row : rows)
+        place (*row, hasPicture, WireRow::height);
+
+    area.removeFromTop (benchGap);
+    place (checklist, isWaiting (step) && state.point == 0 && checklist.getText().isNotEmpty(), checklistHeight);
+    page.setSize (width, area.getY());
+    page.repaint();
+}
+
+void BenchPanel::lookAndFeelChanged()
+{
+    const auto& palette = EditorLook::findPalette (*this);
+
+    for (auto* const editor : { &sensitivity, &inputRange, &level, &deviceName, &checklist })
+        editor->applyColourToAllText (palette.text);
+}
+
+void BenchPanel::resized()
+{
+    viewport.setBounds (getLocalBounds().reduced (panelMargin));
+    layOut();
+}
+} // namespace antinode
