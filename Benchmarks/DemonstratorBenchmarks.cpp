@@ -38,6 +38,20 @@ void structureOfDemonstrator (benchmark::State& state)
 }
 BENCHMARK (structureOfDemonstrator)->Unit (benchmark::kMillisecond);
 
+/** What the window asks for again and again while a device is dragged. */
+void coarseStructure (benchmark::State& state, const std::string& name)
+{
+    const auto device = readDevice (resource ("Devices/" + name + ".json"), name);
+    constexpr int modes = 30;
+    const bench::ReferenceRatio ratio (state);
+
+    for (auto run : state)
+        benchmark::DoNotOptimize (solveCoarsely (device, modes));
+}
+BENCHMARK_CAPTURE (coarseStructure, phone, "phone")->Unit (benchmark::kMillisecond);
+BENCHMARK_CAPTURE (coarseStructure, woodBox, "wood-box")->Unit (benchmark::kMillisecond);
+BENCHMARK_CAPTURE (coarseStructure, acrylicBuzzers, "acrylic-buzzers")->Unit (benchmark::kMillisecond);
+
 void designOfDemonstrator (benchmark::State& state)
 {
     const auto model = solveStructure (staple());

@@ -173,6 +173,10 @@ FocusDesign DesignView::designOf (const DesignPicture& made, DesignExtent extent
 void DesignView::answerWith (DesignPicture& made, const FocusDesign& playable)
 {
     const auto& model = loaded.model;
+
+    if (made.focus.targets.front().level)
+        made.velocityOfLevel = playable.description.targets.front().peakVelocity;
+
     made.frames = std::make_shared<const FieldFrames> (predictFocus (model, playable));
     made.field = makeFieldChart (made, model, &playable);
 

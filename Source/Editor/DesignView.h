@@ -54,6 +54,7 @@ struct DesignPicture : SurfacePicture
 
     DesignQuestion question;
     FocusDescription focus;                ///< The document as the parameters changed it.
+    std::optional<double> velocityOfLevel; ///< m/s of its first target, which the design found for a level.
     std::shared_ptr<const Chart> section;  ///< Of a plate, along x through the focus; none if there is no design.
     std::shared_ptr<const Chart> spectrum; ///< None if there is no design.
     std::shared_ptr<const RenderedCharts> rendered; ///< Of an earlier design until the stage is complete.

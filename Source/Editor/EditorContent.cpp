@@ -1,5 +1,7 @@
 #include "EditorContent.h"
 
+#include <antinode_base/MessageText.h>
+#include <antinode_base/Prefixes.h>
 #include <antinode_reports/BankCharts.h>
 #include <antinode_session/UserMessages.h>
 
@@ -192,6 +194,7 @@ void EditorContent::showPicture()
         return;
 
     picture = std::move (newest);
+    showVelocityOfLevel();
     const juce::String wording = picture->error.empty() ? "The render is not ready yet." : "There is no focus to show.";
     surfaceView.setPicture (picture);
     section.setChart (picture->section, wording);
@@ -201,6 +204,16 @@ void EditorContent::showPicture()
     felt.setChart (picture->rendered != nullptr ? picture->rendered->felt : nullptr, wording);
     probe.designed().setChart (picture->rendered != nullptr ? picture->rendered->probe : nullptr, wording);
     scores.setPicture (picture);
+}
+
+/** A focus with a level has the velocity that its design found, not the one at which the search began. */
+void EditorContent::showVelocityOfLevel()
+{
+    const auto& velocity = picture->velocityOfLevel;
+    const auto level = picture->focus.targets.front().level;
+    parameters.showInstead ("peak_velocity", velocity && level
+                                                 ? inWords (milli * *velocity) + " mm/s: " + inWords (*level) + " dB SL"
+                                                 : std::string());
 }
 
 void EditorContent::showBank()

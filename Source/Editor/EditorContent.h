@@ -86,6 +86,7 @@ private:
 
     void askForPicture();
     void showPicture();
+    void showVelocityOfLevel();
     void showModel();
     void showBank();
     void showDraft();

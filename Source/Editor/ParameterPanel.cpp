@@ -170,7 +170,10 @@ void ParameterControl::makeBar()
     bar->valueFromTextFunction = [this] (const juce::String& text)
     { return static_cast<double> (parameter.convertFrom0to1 (parameter.getValueForText (text))); };
     bar->textFromValueFunction = [this] (double value)
-    { return parameter.getText (parameter.convertTo0to1 (static_cast<float> (value)), 0); };
+    {
+        const auto share = parameter.convertTo0to1 (static_cast<float> (value));
+        return instead.isNotEmpty() && share == insteadAt ? instead : parameter.getText (share, 0);
+    };
     bar->setNormalisableRange (parameterRange (parameter));
     bar->setDoubleClickReturnValue (true,
                                     static_cast<double> (parameter.convertFrom0to1 (parameter.getDefaultValue())));
@@ -240,6 +243,18 @@ void ParameterControl::refreshText()
         button->setButtonText (parameter.getCurrentValueAsText());
 }
 
+void ParameterControl::showInstead (const juce::String& text)
+{
+    const auto now = parameter.convertTo0to1 (parameter.convertFrom0to1 (parameter.getValue()));
+
+    if (instead == text && insteadAt == now)
+        return;
+
+    instead = text;
+    insteadAt = now;
+    refreshText();
+}
+
 bool ParameterControl::isAlongY() const
 {
     const auto identifier = parameter.getParameterID();
@@ -290,6 +305,13 @@ void ParameterPanel::refreshTexts (bool isLine)
         control->refreshText();
         control->setEnabled (! (isLine && control->isAlongY()));
     }
+}
+
+void ParameterPanel::showInstead (const juce::String& identifier, const juce::String& text)
+{
+    for (const auto& control : all)
+        if (control->control().getComponentID() == identifier)
+            control->showInstead (text);
 }
 
 int ParameterPanel::layOut (int width, int minimumHeight)

@@ -49,6 +49,9 @@ public:
     /** Shows the value's text again: texts of places are in mm of the device. */
     void refreshText();
 
+    /** The text of the value that is there, until it is another; empty: the parameter's own. */
+    void showInstead (const juce::String& text);
+
     /** Whether it is a place along y, which a line has not. */
     bool isAlongY() const;
 
@@ -65,6 +68,8 @@ private:
     ParameterLink link;
     juce::Label name;
     std::unique_ptr<juce::Component> input;
+    juce::String instead; ///< Of the parameter's text,
+    float insteadAt = 0;  ///< at this share of its range.
 };
 
 /** All parameters in their groups, one below the other. [message thread] */
@@ -78,6 +83,9 @@ public:
 
     /** Shows all texts again: the device is another one. @param isLine  then nothing is along y */
     void refreshTexts (bool isLine);
+
+    /** The text of a parameter's value that is there, as ParameterControl has it. */
+    void showInstead (const juce::String& identifier, const juce::String& text);
 
     /** Lays the controls out for a width, and fills a place at least so high. @return  the height that the controls
         need */

@@ -81,6 +81,7 @@ PYBIND11_MODULE (_antinode, module)
     antinode::bindDesign (module);
     antinode::bindPerform (module);
     antinode::bindMap (module);
+    antinode::bindCompared (module);
     antinode::bindSweep (module);
     antinode::bindBench (module);
     antinode::bindLearning (module);

@@ -15,6 +15,7 @@ void bindModes (pybind11::module_&);
 void bindDesign (pybind11::module_&);
 void bindPerform (pybind11::module_&);
 void bindMap (pybind11::module_&);
+void bindCompared (pybind11::module_&);
 void bindSweep (pybind11::module_&);
 void bindBench (pybind11::module_&);
 void bindLearning (pybind11::module_&);

@@ -6,10 +6,13 @@
 #include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
 #include <antinode_numerics/ParallelFor.h>
+#include <antinode_reports/ComparisonReport.h>
+#include <antinode_reports/IdentificationTables.h>
 #include <antinode_reports/MapReport.h>
 #include <antinode_sweep/CaseEvaluator.h>
 #include <antinode_sweep/PartFolder.h>
 #include <antinode_sweep/SweepCases.h>
+#include <antinode_tasks/Compare.h>
 #include <antinode_tasks/Field.h>
 #include <antinode_tasks/Map.h>
 #include <antinode_tasks/SweptFiles.h>
@@ -129,6 +132,46 @@ void bindMap (py::module_& module)
             py::arg ("number") = "v_score")
         .reports ([] (const Value& value) { return mapReport (value.map, value.model); }, howSharp);
     bindTask<MapRequest> (module, "map", mapText, "Mapped", &map);
+}
+
+namespace
+{
+py::list casesOf (const ComparedDevices& compared)
+{
+    using namespace py::literals;
+    py::list cases;
+
+    for (const auto& each : compared.cases)
+        cases.append (py::dict ("device"_a = each.device, "played"_a = each.played, "ceramics"_a = each.ceramics,
+                                "peak_voltage_V"_a = each.peakVoltage, "voltage_limit_V"_a = each.voltageLimit,
+                                "peak_current_A"_a = each.peakCurrent, "energy_J"_a = each.energy,
+                                "levels_dB_SL"_a = each.levels, "level_share_dB"_a = each.missing,
+                                "contrast_dB"_a = each.contrast, "tolerance"_a = each.tolerance,
+                                "error"_a = each.error));
+
+    return cases;
+}
+} // namespace
+
+void bindCompared (py::module_& module)
+{
+    ResultClass<ComparedDevices> (module, "Compared", "Devices side by side. Made by :func:`antinode.compare`.")
+        .isShownAs ([] (const ComparedDevices& value)
+                    { return "Compared: " + std::to_string (value.cases.size()) + " cases"; })
+        .has ("cases",
+              "One of each device and what is played on it, device by device: device, played, ceramics, "
+              "peak_voltage_V, voltage_limit_V, peak_current_A, energy_J, levels_dB_SL of the places, level_share_dB "
+              "by which the limits lower them, contrast_dB, tolerance of 19 of 20 devices, and error, the sentence of "
+              "a case that has no numbers, else empty; NaN: unknown.",
+              &casesOf, "list[dict[str, Any]]")
+        .saves ("folder",
+                "Writes the folder of ``antinode compare``: ``report.html``, ``compare.pdf``, ``scores.csv`` and the "
+                "figures that were asked for.",
+                [] (const ComparedDevices& value, const std::filesystem::path& folder)
+                { writeCompared (folder, value); })
+        .reports ([] (const ComparedDevices& value) { return comparisonReport (value.cases); })
+        .bound.def ("__str__", [] (const ComparedDevices& value) { return tableText (comparisonTable (value.cases)); });
+    bindTask<CompareRequest> (module, "compare", compareText, "Compared", &compare);
 }
 
 namespace

@@ -24,6 +24,9 @@ TEST_CASE ("compare has the numbers of render and of perform for each device, an
     CHECK (test::linesIn (scores) == 5);
     CHECK_THAT (run.output, Catch::Contains ("19 of 20 devices"));
     CHECK_THAT (readContent (out / "report.html"), Catch::Contains ("Comparison of 2 devices"));
+    const auto page = readContent (out / "report.html");
+    CHECK (page.find ("<table") < page.find ("<figure"));
+    CHECK_THAT (readContent (out / "compare.pdf"), Catch::StartsWith ("%PDF-1."));
     CHECK (std::filesystem::exists (out / "figure-what-each-device-needs-and-gives-1.pdf"));
 
     // A beam has no such places, which does not stop the others.

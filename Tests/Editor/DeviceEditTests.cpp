@@ -1,11 +1,9 @@
 #include <antinode_base/InputError.h>
 #include <antinode_documents/DeviceFile.h>
-#include <antinode_documents/Library.h>
 #include <antinode_drafts/CeramicEdits.h>
 #include <antinode_drafts/CeramicFaults.h>
 #include <antinode_drafts/DeviceEdits.h>
 #include <antinode_drafts/DeviceTemplates.h>
-#include <antinode_structure/DeviceDescription.h>
 
 #include <catch2/catch.hpp>
 
@@ -142,20 +140,4 @@ TEST_CASE ("Rows and rings lie evenly and free of faults", "[draft]")
     CHECK (device["ceramics"][9]["name"] == "C10");
     const auto ring = withRing (newDevice ("disc"), { CeramicShape::disc, { 0, 0 }, { 10, 10 } }, 0, 6, 40);
     CHECK (ceramicFaults (ring).empty());
-}
-
-TEST_CASE ("What a device has while it is drawn is coarse, and near what it has when it is solved", "[draft]")
-{
-    constexpr int modes = 10;
-
-    for (const auto* const name : { "phone", "aluminium-200x120", "beam" })
-    {
-        INFO (name);
-        const auto device = readDevice (loadDocument (LibraryKind::device, name), name);
-        const auto coarse = solveCoarsely (device, modes), exact = solveStructure (device, modes);
-        const Eigen::VectorXd errors = coarse.angularFrequencies.cwiseQuotient (exact.angularFrequencies).array() - 1;
-        REQUIRE (errors.size() == modes);
-        CHECK (errors.cwiseAbs().maxCoeff() < 0.08); // Edges of ceramics are not resolved.
-        CHECK (coarse.actuators() == exact.actuators());
-    }
 }

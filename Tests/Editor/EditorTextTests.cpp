@@ -1,5 +1,11 @@
 #include "EditorFixture.h"
 
+#include <antinode_base/MessageText.h>
+#include <antinode_base/Prefixes.h>
+#include <antinode_documents/FocusFile.h>
+#include <antinode_documents/Library.h>
+#include <antinode_focus/DesignFocus.h>
+
 #include <catch2/catch.hpp>
 
 using namespace antinode;
@@ -64,6 +70,41 @@ TEST_CASE ("All words that a parameter can have fit into its control")
             test.content().refresh (0);
             test::forEachShown (test.content().parameterPanel(), checkText);
         }
+}
+
+TEST_CASE ("Of a focus with a level the velocity that was found is shown, until one is chosen")
+{
+    EditorFixture test;
+    test.snapshot (800, 500);
+    test.content().showPanel ("Controls");
+    auto document = loadDocument (LibraryKind::focus, "demonstrator");
+    auto& target = document["targets"][0];
+    target.erase ("peak_velocity_mm_s");
+    target["peak_level_dB_SL"] = 20;
+    test.processor.load (nullptr, std::make_shared<const FocusDocument> (readFocusDocument (document, "felt")));
+    test.settle();
+    const auto shown = [&]
+    {
+        for (const auto& control : test.content().parameterPanel().controls())
+            if (auto* const bar = dynamic_cast<juce::Slider*> (&control->control());
+                bar != nullptr && bar->getComponentID() == "peak_velocity")
+                return bar->getTextFromValue (bar->getValue());
+
+        return juce::String();
+    };
+    const auto snapshot = test.processor.session().snapshot();
+    const auto described = readFocus (document, "felt");
+    const auto design = designFocus (*snapshot->model, described, snapshot->playback);
+    CHECK (shown().toStdString()
+           == inWords (milli * design.description.targets.front().peakVelocity) + " mm/s: 20 dB SL");
+    test::forEachShown (test.content().parameterPanel(), checkText);
+    auto* const velocity = test.processor.parameters().ofFocus()[4];
+    REQUIRE (velocity->getParameterID() == "peak_velocity");
+    velocity->setValueNotifyingHost (0.5f);
+    test.content().refresh (0.016);
+    CHECK (shown() == velocity->getCurrentValueAsText());
+    test.settle();
+    CHECK (shown() == velocity->getCurrentValueAsText());
 }
 
 TEST_CASE ("The browser's texts fit")

@@ -134,3 +134,28 @@ TEST_CASE ("Figures are named after their section and their place in it", "[figu
     CHECK (figures[1].name == "figure-field-at-the-focus-2");
     CHECK (figures[2].name == "figure-modes-1-3-all-1");
 }
+
+TEST_CASE ("A report for print has as many sheets as it needs, with its figures and the head of its table on each",
+           "[figures]")
+{
+    const auto sheetsOf = [] (const std::string& pdf)
+    {
+        const auto pages = pdf.find ("/Count ", pdf.find ("/Type /Pages"));
+        return std::stoi (pdf.substr (pages + 7));
+    };
+    ReportPage page;
+    page.title = "A page of one sheet";
+    page.sections = { { "Numbers", { "First." }, {}, { { "Modes", { "mode", "in words" }, { { "1", "one" } } } } } };
+    const auto one = renderReportPdf (page);
+    CHECK (one.starts_with ("%PDF-1."));
+    CHECK (contains (one, "/MediaBox [ 0 0 595.2"));
+    CHECK (sheetsOf (one) == 1);
+    CHECK (sheetsOf (renderReportPdf ({})) == 1);
+
+    // 4 figures of 72 mm are more than one sheet of 267 mm; 200 rows of 4.9 mm more than three.
+    page.sections.push_back ({ "Figures", {}, std::vector<ReportFigure> (4, { "Bars.", "", bars() }), {} });
+    page.sections.front().tables.front().rows.resize (200, { "1", "word" });
+    const auto many = renderReportPdf (page);
+    CHECK (sheetsOf (many) == 6);
+    CHECK (many == renderReportPdf (page));
+}

@@ -1,5 +1,6 @@
-"""Tolerance and trade-off of designs: the files of the command line, byte by byte."""
+"""Tolerance and trade-off of designs, and devices side by side: the files of the command line, byte by byte."""
 
+import csv
 import json
 
 import numpy as np
@@ -125,3 +126,24 @@ def test_figures_are_those_of_the_report(compared):
     with pytest.raises(an.InputError, match="figure: is 9"):
         tolerance.png(figure=9)
     assert json.dumps(tolerance.numbers)
+
+
+def test_a_comparison_of_devices_is_that_of_the_command_line(program, same_files, tmp_path):
+    options = ["--focus", "demonstrator", "--draws", 5, "--figures", "svg"]
+    program("compare", "staple", "beam", *options, "--out", tmp_path / "wanted", "--quiet")
+    compared = an.compare(["staple", an.device("beam")], focuses=["demonstrator"], draws=5, figures=["svg"])
+    compared.save(tmp_path / "made")
+    figures = [f"figure-what-each-device-needs-and-gives-{number}.svg" for number in range(1, 5)]
+    for folder in ("wanted", "made"):
+        with open(tmp_path / folder / "scores.csv", encoding="utf-8") as stream:
+            rows = list(csv.DictReader(stream))
+        for row in rows:
+            row.pop("solver_time_ms")  # the one number that differs from run to run
+        (tmp_path / folder / "scores.csv").write_text(json.dumps(rows))
+    same_files(tmp_path / "wanted", tmp_path / "made", ["compare.pdf", "report.html", "scores.csv", *figures])
+    staple, beam = compared.cases
+    assert (staple["device"], beam["device"], staple["played"]) == ("staple", "beam", "demonstrator")
+    assert staple["peak_voltage_V"] == pytest.approx(an.render("demonstrator", "staple").scores["peak_voltage_V"])
+    assert staple["error"] == "" and len(compared.figures) == 4 and "19 of 20 devices" in str(compared)
+    with pytest.raises(an.InputError, match="has nothing to compare"):
+        an.compare(["beam"])

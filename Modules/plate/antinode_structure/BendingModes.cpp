@@ -75,7 +75,9 @@ ImmersedResolution resolutionFor (const BendingProblem& problem, int count, Mode
     const auto isHigh = accuracy == ModeAccuracy::high;
 
     if (accuracy == ModeAccuracy::coarse)
-        return { .degree = 3, .cell = 0.25 * wavelength, .cornerCell = 0.5, .holeCell = 1, .patchCell = 1 };
+        return {
+            .degree = 3, .cell = 0.25 * wavelength, .cornerCell = 0.5, .holeCell = 1, .patchCell = 1, .bendCell = 1
+        };
 
     const auto isHeld =
         std::any_of (problem.edges.begin(), problem.edges.end(),
@@ -367,8 +369,8 @@ void addPoints (SmallCellsOfAxes& small, const BendingProblem& problem, const Im
    patch moments vary fast. */
 void addBend (SmallCellsOfAxes& small, const KinkFunction& kink, const ImmersedResolution& resolution)
 {
-    constexpr double share = 0.05, ofWidth = 0.2, growth = 1.4; // The first cell is twice the share.
-    const auto cell = std::min (share * resolution.cell, ofWidth * 2 * kink.width);
+    constexpr double growth = 1.4; // The first cell is twice the share.
+    const auto cell = resolution.bendCell * std::min (resolution.cell, 4 * 2 * kink.width);
     auto& along = kink.gradient.y() == 0 ? small.alongX : small.alongY;
     along.push_back (
         { kink.gradient.y() == 0 ? kink.centre.x() : kink.centre.y(), cell, growth, resolution.degree - 1 });

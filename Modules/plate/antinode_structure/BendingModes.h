@@ -18,6 +18,7 @@ struct ImmersedResolution
     double cornerCell = 1e-2; ///< Cells at a re-entrant corner, in units of the largest.
     double holeCell = 0.3;    ///< Cells at a hole, in units of its radius; 0.3 of it where its edge is held.
     double patchCell = 0.08;  ///< Cells on a patch whose edges bend the plate, in units of its width.
+    double bendCell = 0.05;   ///< Half of the first cell at a patch's edge along an axis, in units of the largest.
 };
 
 /** What a number of modes is to be right to. */

@@ -157,11 +157,11 @@ struct Segment
 };
 } // namespace
 
-OutlinedGrid::OutlinedGrid (const BendingProblem& problemToUse, double waveNumberToUse)
+OutlinedGrid::OutlinedGrid (const BendingProblem& problemToUse, double waveNumberToUse, ModeAccuracy accuracy)
     : problem (problemToUse), waveNumber (waveNumberToUse), axisX (makeAxis (problem, PlaneAxis::x, waveNumber)),
       axisY (makeAxis (problem, PlaneAxis::y, waveNumber))
 {
-    addCells();
+    addCells (accuracy);
 }
 
 std::size_t OutlinedGrid::numberOf (const std::vector<bool>& section)
@@ -175,8 +175,9 @@ std::size_t OutlinedGrid::numberOf (const std::vector<bool>& section)
     return number;
 }
 
-void OutlinedGrid::addCells()
+void OutlinedGrid::addCells (ModeAccuracy accuracy)
 {
+    constexpr int coarseDegree = 2; // Where only edges of patches cross a cell: enough for masses to some percent.
     const PlaneCutter all (problem.outline, patchOutlines (problem)), plateOnly (problem.outline, {});
     const auto gridSize = axisX.places.size() * axisY.places.size();
     std::vector<double> areas (static_cast<std::size_t> (gridSize), 0);
@@ -192,11 +193,18 @@ void OutlinedGrid::addCells()
                                       axisY.edges[row + 1] };
             const Segment alongX (axisX, column), alongY (axisY, row);
             const auto isCrossed = all.cuts (extent), isCut = isCrossed && plateOnly.cuts (extent);
-            const auto degree = static_cast<int> (std::max (alongX.count, alongY.count)) - 1;
+            const auto degree = accuracy == ModeAccuracy::coarse && ! isCut
+                                    ? coarseDegree
+                                    : static_cast<int> (std::max (alongX.count, alongY.count)) - 1;
             const auto points = all.points (extent, isCrossed ? degree : 0, {});
 
             if (points.places.empty())
                 continue;
+
+            std::vector<std::size_t> numbers;
+
+            for (const auto& section : points.sections)
+                numbers.push_back (numberOf (section));
 
             for (auto j = alongY.first; j < alongY.first + alongY.count && ! isCut; ++j)
                 for (auto i = alongX.first; i < alongX.first + alongX.count; ++i)
@@ -208,7 +216,7 @@ void OutlinedGrid::addCells()
                         continue;
 
                     areas[static_cast<std::size_t> (point)] = axisX.weights[i] * axisY.weights[j];
-                    sectionOf[static_cast<std::size_t> (point)] = numberOf (points.sections[points.section.front()]);
+                    sectionOf[static_cast<std::size_t> (point)] = numbers[points.section.front()];
                 }
 
             if (! isCrossed)
@@ -224,7 +232,7 @@ void OutlinedGrid::addCells()
                 onPlate.push_back (first + static_cast<Eigen::Index> (q));
                 more.push_back (points.places[q]);
                 areas.push_back (points.weights[q]);
-                sectionOf.push_back (numberOf (points.sections[points.section[q]]));
+                sectionOf.push_back (numbers[points.section[q]]);
             }
         }
 

@@ -13,8 +13,9 @@ class OutlinedGrid
 public:
     /** @param problem     must live as long as this
         @param waveNumber  of the shortest waves that fields have
+        @param accuracy    coarse: few places where only edges of patches cross a cell
         [worker] */
-    OutlinedGrid (const BendingProblem& problem, double waveNumber);
+    OutlinedGrid (const BendingProblem& problem, double waveNumber, ModeAccuracy accuracy = ModeAccuracy::usual);
 
     const GridAxis& x() const { return axisX; }
     const GridAxis& y() const { return axisY; }
@@ -46,7 +47,7 @@ private:
         Eigen::Index first = 0, count = 0; ///< Its own places, among the points.
     };
 
-    void addCells();
+    void addCells (ModeAccuracy);
     Eigen::Index gridRow (Eigen::Index i, Eigen::Index j) const { return i + j * axisX.places.size(); }
     std::size_t numberOf (const std::vector<bool>& section);
     void extend (Eigen::MatrixXd& shapes, const CutCell&) const;

@@ -124,7 +124,7 @@ ModalModel solveOutlinedCoarsely (const std::string& name, const OutlinedPlate& 
     requireSolvable (plate);
     const auto solved = asSolved (plate, modeCount);
     const auto solution = solveOutlinedModes (solved, modeCount, ModeAccuracy::coarse);
-    const OutlinedGrid grid (solution.scaled.problem, solution.waveNumber);
+    const OutlinedGrid grid (solution.scaled.problem, solution.waveNumber, ModeAccuracy::coarse);
     auto model = onGrid (name, plate, solved, solution, grid);
     model.frequencyErrors = Eigen::VectorXd::Constant (model.modes(), error);
     return model;

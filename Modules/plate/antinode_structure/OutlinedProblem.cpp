@@ -267,13 +267,29 @@ OutlinedProblem outlinedProblem (const OutlinedPlate& plate)
     return result;
 }
 
+namespace
+{
+/** Leaves the kinks that move frequencies by more than some percent, of patches much stiffer than the plate, and that
+   need no functions of their own: those along an axis. */
+void keepStrongBends (BendingProblem& problem)
+{
+    constexpr double much = 4;
+
+    for (auto& patch : problem.patches)
+    {
+        const auto added = patch.added.stiffness (0, 0) + (patch.bonded ? patch.bonded->stiffness (0, 0) : 0);
+        std::erase_if (patch.kinks, [&] (const KinkFunction& kink)
+                       { return ! kink.isAlongAxis() || added < much * problem.section.stiffness (0, 0); });
+    }
+}
+} // namespace
+
 OutlinedSolution solveOutlinedModes (const OutlinedPlate& plate, std::optional<int> modeCount, ModeAccuracy accuracy)
 {
     auto scaled = outlinedProblem (plate);
 
     if (accuracy == ModeAccuracy::coarse)
-        for (auto& patch : scaled.problem.patches)
-            patch.kinks.clear();
+        keepStrongBends (scaled.problem);
 
     auto [modes, resolution] = wantedModes (plate, scaled, modeCount, accuracy);
     Eigen::VectorXd angularFrequencies = (modes.eigenvalues * scaled.eigenvalueUnit()).cwiseSqrt();

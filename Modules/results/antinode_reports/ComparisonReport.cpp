@@ -104,19 +104,21 @@ ReportPage comparisonReport (const std::vector<ComparedCase>& cases)
 {
     ReportPage page;
     page.title = "Comparison of " + std::to_string (namesOf (cases, &ComparedCase::device).size()) + " devices";
-    ReportSection section;
-    section.heading = "What each device needs and gives";
-    section.paragraphs = { "Levels are decibels over the threshold of a resting fingertip. The contrast is from the "
+    ReportSection numbers;
+    numbers.heading = "At a glance";
+    numbers.paragraphs = { "Levels are decibels over the threshold of a resting fingertip. The contrast is from the "
                            "weakest wanted place to the strongest other one, farther than 30 mm or a silent finger." };
-    section.tables = { comparisonTable (cases) };
-    section.figures = { barFigure (cases, "Peak voltage of all ceramics.", "peak voltage (V)",
-                                   [] (const ComparedCase& each) { return each.peakVoltage; }),
-                        barFigure (cases, "Electrical energy of one play.", "energy (uJ)",
-                                   [] (const ComparedCase& each) { return each.energy * micro; }),
-                        barFigure (cases, "Felt level at the weakest place.", "felt level (dB SL)", &weakestLevel),
-                        barFigure (cases, "Felt contrast.", "contrast (dB)",
-                                   [] (const ComparedCase& each) { return each.contrast; }) };
-    page.sections = { std::move (section) };
+    numbers.tables = { comparisonTable (cases) };
+    ReportSection charts;
+    charts.heading = "What each device needs and gives";
+    charts.figures = { barFigure (cases, "Peak voltage of all ceramics.", "peak voltage (V)",
+                                  [] (const ComparedCase& each) { return each.peakVoltage; }),
+                       barFigure (cases, "Electrical energy of one play.", "energy (uJ)",
+                                  [] (const ComparedCase& each) { return each.energy * micro; }),
+                       barFigure (cases, "Felt level at the weakest place.", "felt level (dB SL)", &weakestLevel),
+                       barFigure (cases, "Felt contrast.", "contrast (dB)",
+                                  [] (const ComparedCase& each) { return each.contrast; }) };
+    page.sections = { std::move (numbers), std::move (charts) };
     page.links = { { "scores.csv", "scores.csv" } };
     page.footer = "Antinode " ANTINODE_VERSION;
     return page;

@@ -93,20 +93,6 @@ std::string figureHtml (const ReportFigure& figure, const Pictures& pictures)
                     element ("picture", "", dark + light) + textElement ("figcaption", "", figure.caption));
 }
 
-bool isNumberColumn (const ReportTable& table, std::size_t column)
-{
-    auto any = false;
-    for (const auto& row : table.rows)
-    {
-        if (column >= row.size() || row[column].empty())
-            continue;
-        if (! looksLikeNumber (row[column]))
-            return false;
-        any = true;
-    }
-    return any;
-}
-
 std::string tableRow (const ReportTable& table, const std::vector<std::string>& cells, bool isHeader)
 {
     std::string html;
@@ -153,6 +139,20 @@ std::string sectionHtml (const ReportSection& section, std::vector<Pictures>::co
     return element ("section", "", html);
 }
 } // namespace
+
+bool isNumberColumn (const ReportTable& table, std::size_t column)
+{
+    auto any = false;
+    for (const auto& row : table.rows)
+    {
+        if (column >= row.size() || row[column].empty())
+            continue;
+        if (! looksLikeNumber (row[column]))
+            return false;
+        any = true;
+    }
+    return any;
+}
 
 std::string renderReport (const ReportPage& page)
 {

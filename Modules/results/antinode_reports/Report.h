@@ -31,6 +31,9 @@ struct ReportTable
     std::vector<std::vector<std::string>> rows;
 };
 
+/** Whether the cells of a column that are not empty are numbers. [any] */
+bool isNumberColumn (const ReportTable&, std::size_t column);
+
 /** A part of a page: text, then figures, then tables. */
 struct ReportSection
 {
@@ -71,6 +74,10 @@ struct ReportPage
     @throws InputError  what renderPng() throws
     [worker] */
 std::string renderReport (const ReportPage&);
+
+/** The same page for print, without links: a PDF of A4 pages, black on white. Text stays text. The same bytes for the
+    same page on every run. @throws InputError  what draw() throws [worker] */
+std::string renderReportPdf (const ReportPage&);
 
 /** A figure of a report and the name of its file without the ending: its section and its place in it, as in
     "figure-voltages-1". */

@@ -210,6 +210,7 @@ void writeCompared (const std::filesystem::path& path, const ComparedDevices& co
     OutputFolder folder (path);
     const auto page = comparisonReport (compared.cases);
     folder.write ("report.html", renderReport (page));
+    folder.write ("compare.pdf", renderReportPdf (page));
     folder.write ("scores.csv", compared.scores);
 
     for (const auto& format : compared.figures)

@@ -49,7 +49,7 @@ struct ComparedDevices
     [worker, on all cores] */
 ComparedDevices compare (const CompareRequest&, const ShowProgress&);
 
-/** Writes report.html, its figures where they are wanted, and scores.csv. @throws InputError  when they cannot be
-    written [worker] Docs/FileFormats.md. */
+/** Writes report.html, the same for print as compare.pdf, its figures where they are wanted, and scores.csv. @throws
+   InputError  when they cannot be written [worker] Docs/FileFormats.md. */
 void writeCompared (const std::filesystem::path&, const ComparedDevices&);
 } // namespace antinode

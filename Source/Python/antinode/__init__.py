@@ -13,7 +13,7 @@ plot() gives a figure of Matplotlib.
 Documents:  device, focus, waveforms: from a name, a file or a dict; names lists the embedded ones.
 Foci:       design, render (a design that is played), tolerance, tradeoff, map; perform: a waveform per finger.
 Cases:      sweep, sampled (plans that cover the ranges evenly), sobol_indices.
-Devices:    device(...).modes(), place (ceramics), import_device (finite elements).
+Devices:    device(...).modes(), compare, place (ceramics), import_device (finite elements).
 Playing:    Player (prepared places, on the standalone program or on the model).
 Benches:    excite, frf, measure (simulated), identify, retune, sensors, learn, follow.
 Trials:     experiment: what people feel; detection, discrimination, localisation.
@@ -27,6 +27,7 @@ from typing import Any as _Any
 from . import experiment as experiment
 from ._antinode import version as __version__
 from ._antinode import (
+    Compared,
     Design,
     Estimated,
     Excitation,
@@ -45,6 +46,7 @@ from ._antinode import (
     Swept,
     Tolerance,
     Tradeoff,
+    compare,
     design,
     excite,
     follow,
@@ -70,6 +72,7 @@ from ._sweeps import sweep
 from .errors import InputError, LimitError
 
 __all__ = [
+    "Compared",
     "Design",
     "Device",
     "Estimated",
@@ -96,6 +99,7 @@ __all__ = [
     "Tolerance",
     "Tradeoff",
     "Waveforms",
+    "compare",
     "design",
     "device",
     "excite",
