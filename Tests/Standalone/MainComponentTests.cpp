@@ -117,7 +117,7 @@ TEST_CASE ("All of the window is reachable at 1000 x 700, with the settings open
                 INFO (width << " x " << height << (hasSettings ? " with settings" : ""));
                 checkReachable (*window);
 
-                for (const auto* const tab : { "Audio device", "Routing", "Touch", "Window" })
+                for (const auto* const tab : { "Audio device", "Routing", "Touch", "Bench", "Window" })
                 {
                     window->showSettings (tab);
                     checkReachable (*window);

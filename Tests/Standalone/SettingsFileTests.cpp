@@ -26,6 +26,7 @@ StandaloneSettings unusualSettings()
     settings.touch = { 9100, 0, "0.0.0.0", "firm" };
     settings.isDark = false;
     settings.scale = 1.5;
+    settings.bench = { 3, -1, { 25, 4 } };
     settings.state = demonstrator();
     settings.state->parameters["x"] = 12.3456789012345678;
     return settings;
@@ -55,6 +56,7 @@ TEST_CASE ("settings come back as they were kept")
     CHECK (read.audio == wanted.audio);
     CHECK (read.routing == wanted.routing);
     CHECK (read.midi == wanted.midi);
+    CHECK (read.bench == wanted.bench);
     CHECK (read.touch.oscPort == 9100);
     CHECK (read.touch.tuioPort == 0);
     CHECK (read.touch.address == "0.0.0.0");
