@@ -74,7 +74,7 @@ TEST_CASE ("The commands of the manual's page about a click lead to a decision",
         auto words = wordsOf (command);
         REQUIRE (words.front().text == "antinode");
         words.erase (words.begin());
-        const auto run = runProgram (words, { { test::userCacheVariable, folder.path() / "cache" } });
+        const auto run = runProgram (words);
         CAPTURE (command, run.errors);
         REQUIRE (run.exitCode == 0);
     }

@@ -32,7 +32,10 @@ TEST_CASE ("Solved modes are kept for the next run, without a cache they are not
     const TemporaryFolder folder;
     const auto cached = folder.path() / "cache" / "antinode" / "modes";
     const auto run = [&] (const ProgramArguments& arguments)
-    { return test::waitForProgram (test::startProgram (arguments, folder.path())); };
+    {
+        return test::waitForProgram (
+            test::startProgram (arguments, folder.path(), { { test::userCacheVariable, folder.path() / "cache" } }));
+    };
 
     REQUIRE (run ({ "modes", "beam", "--no-cache" }) == 0);
     CHECK_FALSE (std::filesystem::exists (cached));

@@ -105,7 +105,7 @@ TEST_CASE ("A device of 64 ceramics is shown with a meter each, and its field mo
         drawFrame (editor, image);
         const auto before = image.createCopy();
 
-        for (int i = 0; i < 60; ++i)
+        for (int i = 0; i < 30; ++i)
             times.push_back (drawFrame (editor, image));
 
         std::sort (times.begin(), times.end());
@@ -141,7 +141,7 @@ TEST_CASE ("While a ceramic is dragged its device is solved and shown again and 
         std::shared_ptr<const DraftPicture> before;
         auto pictures = 0;
 
-        for (int i = 0; i < 60; ++i)
+        for (int i = 0; i < 30; ++i)
         {
             times.push_back (dragFrame (editor, image, from + juce::Point<float> (static_cast<float> (i), -40), from));
             std::this_thread::sleep_for (std::chrono::milliseconds (16));
@@ -158,7 +158,7 @@ TEST_CASE ("While a ceramic is dragged its device is solved and shown again and 
         std::sort (solving.begin(), solving.end());
         REQUIRE (pictures > 0);
         std::printf ("a ceramic of the phone is dragged, %d x %d: a frame takes %.2f ms of work (median), %.2f ms "
-                     "(largest); coarse modes in %.1f ms (median), %.1f ms (largest), %d pictures in 60 frames\n",
+                     "(largest); coarse modes in %.1f ms (median), %.1f ms (largest), %d pictures in 30 frames\n",
                      width, height, times[times.size() / 2], times.back(), solving[solving.size() / 2], solving.back(),
                      pictures);
         CHECK_FALSE (content.deviceDraft().isEdited());

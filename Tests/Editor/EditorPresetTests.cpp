@@ -116,6 +116,7 @@ TEST_CASE ("A device that is loaded gets a focus of its own, which undo takes ba
 {
     const OwnLibrary library;
     EditorFixture test;
+    test.processor.parameters().find ("notes")->setValueNotifyingHost (1); // no designs for unused notes
     test.settle();
     const auto before = test.stateText();
     test.content().browse (LibraryKind::device);

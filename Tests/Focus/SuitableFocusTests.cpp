@@ -24,7 +24,7 @@ nlohmann::json suitedDevice (const std::string& name)
 
 ModalModel solvedFrom (const nlohmann::json& device)
 {
-    return solveDevice (readDevice (device, "device"), {}, false);
+    return solveDevice (readDevice (device, "device"), {}, true);
 }
 
 /** An own plate: 100 mm x 60 mm of glass on its edges, four ceramics at the left, and so a free area at the right. */

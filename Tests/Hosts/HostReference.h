@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -79,6 +80,18 @@ inline const HostReference& demonstratorReference (double rate, int samples)
 {
     return keptReference (rate, samples,
                           [&] { return referenceFor (*demonstrator().device, *demonstrator().focus, rate, samples); });
+}
+
+/** The largest difference of those two rows that are least apart. */
+inline double leastDifference (const Eigen::MatrixXd& rows)
+{
+    auto least = std::numeric_limits<double>::infinity();
+
+    for (Eigen::Index i = 0; i < rows.rows(); ++i)
+        for (Eigen::Index j = 0; j < i; ++j)
+            least = std::min (least, (rows.row (i) - rows.row (j)).cwiseAbs().maxCoeff());
+
+    return least;
 }
 
 /** How far what was played is from the reference: ceramics on the first wires, silence on those beyond the device's,

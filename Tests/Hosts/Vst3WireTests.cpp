@@ -16,22 +16,13 @@ constexpr double rate = 48000;
 constexpr int wireLength = 1600, block = 256, noteAt = 100;
 } // namespace
 
-TEST_CASE ("Each of the 64 ceramics of the comb has a voltage of its own", "[vst3]")
-{
-    const auto& reference = combReference (rate, wireLength);
-    REQUIRE (reference.ceramics.rows() == 64);
-
-    for (int i = 0; i < 64; ++i)
-        for (int j = 0; j < i; ++j)
-            CHECK ((reference.ceramics.row (i) - reference.ceramics.row (j)).cwiseAbs().maxCoeff() > 1e-4);
-
-    CHECK (reference.monitors.row (0).cwiseAbs().maxCoeff() > 0.01);
-    CHECK ((reference.monitors.row (0) - reference.monitors.row (1)).cwiseAbs().maxCoeff() > 0.001);
-}
-
 TEST_CASE ("Wire k of a VST3 carries ceramic k for every number of channels that a host asks for", "[vst3]")
 {
     const auto& reference = combReference (rate, wireLength);
+    REQUIRE (reference.ceramics.rows() == 64);
+    CHECK (leastDifference (reference.ceramics) > 1e-4); // No wire can be taken for another one.
+    CHECK (reference.monitors.row (0).cwiseAbs().maxCoeff() > 0.01);
+    CHECK (leastDifference (reference.monitors) > 0.001);
     RawVst3 plugin (32);
     REQUIRE (plugin.setState (reference.state));
 

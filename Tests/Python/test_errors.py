@@ -107,7 +107,9 @@ def test_what_is_no_number_or_too_large_is_refused(call):
 
 
 def test_arguments_may_be_any_iterables_and_the_defaults_themselves():
-    assert an.perform(sample_rate_Hz=24000, sensitivity_mm_s_per_V=0.0).fingers
+    track = {"x_mm": 40, "y_mm": 40, "level_um": 1, "signal": {"kind": "click"}}
+    click = {"schema": "antinode.waveforms/1", "name": "click", "tracks": [track]}
+    assert an.perform(click, "aluminium-200x120", sample_rate_Hz=24000, sensitivity_mm_s_per_V=0.0).fingers
     excited = an.excite("beam", levels_V=(float(volts) for volts in range(1, 1 + len(an.device("beam").modes().ceramics))))
     assert list(excited.levels_V) == [float(volts) for volts in range(1, 1 + len(excited.ceramics))]
 

@@ -20,6 +20,12 @@ def two_fingers(**changes):
     }
 
 
+@pytest.fixture(scope="module")
+def played():
+    """Both, on the plate of the drawing."""
+    return an.perform(two_fingers(), "aluminium-200x120")
+
+
 def test_perform_writes_what_the_command_line_writes(program, same_files, tmp_path):
     waveforms = an.waveforms(two_fingers())
     waveforms.save(tmp_path / "two.json")
@@ -33,13 +39,12 @@ def test_perform_writes_what_the_command_line_writes(program, same_files, tmp_pa
     assert np.abs(performed.voltages_V).max() == pytest.approx(performed.scores["peak_voltage_V"])
 
 
-def test_the_track_is_reached_and_the_silent_finger_hardly_moves():
-    performed = an.perform(two_fingers(), "aluminium-200x120")
-    wanted, reached = performed.wanted_m[:, 0], performed.displacements_m[:, performed.trigger_sample :]
+def test_the_track_is_reached_and_the_silent_finger_hardly_moves(played):
+    wanted, reached = played.wanted_m[:, 0], played.displacements_m[:, played.trigger_sample :]
     count = min(len(wanted), reached.shape[1])
     assert np.abs(reached[0, :count] - wanted[:count]).max() < 0.05 * np.abs(wanted).max()
     assert np.abs(reached[1]).max() < 0.05 * np.abs(wanted).max()
-    assert not performed.displacements_m.flags.writeable
+    assert not played.displacements_m.flags.writeable
 
 
 def test_haptic_content_is_played_at_a_place_with_its_level(program, same_files, tmp_path):
@@ -59,16 +64,15 @@ def test_haptic_content_is_played_at_a_place_with_its_level(program, same_files,
     assert np.array_equal(an.perform(document, "aluminium-200x120").voltages_V, performed.voltages_V)
 
 
-def test_a_pass_that_was_recorded_late_is_corrected_like_one_in_time(program, tmp_path):
-    first = an.perform(two_fingers(), "aluminium-200x120")
-    first.save(tmp_path / "pass", report=False)
+def test_a_pass_that_was_recorded_late_is_corrected_like_one_in_time(program, tmp_path, played):
+    played.save(tmp_path / "pass", report=False)
     an.waveforms(two_fingers()).save(tmp_path / "two.json")
     # The real plate gives a tenth less; all is recorded 337 samples late.
-    recorded = 0.9e6 * first.displacements_m.T
+    recorded = 0.9e6 * played.displacements_m.T
 
     def errors(late, **settings):
         delayed = np.vstack([np.zeros((late, 2)), recorded])
-        times = np.arange(len(delayed)) / first.sample_rate_Hz
+        times = np.arange(len(delayed)) / played.sample_rate_Hz
         np.savetxt(
             tmp_path / "pass" / "recorded.csv",
             np.column_stack([times, delayed]),
@@ -128,12 +132,11 @@ def test_lags_of_amplifiers_are_undone_and_known_where_a_pass_is_corrected(progr
     assert np.abs(with_lags - without).max() < 0.002 * np.abs(without).max()
 
 
-def test_a_late_recording_of_another_pass_is_refused_with_its_number(tmp_path):
-    performed = an.perform(two_fingers(), "aluminium-200x120")
-    performed.save(tmp_path / "pass", report=False)
+def test_a_late_recording_of_another_pass_is_refused_with_its_number(tmp_path, played):
+    played.save(tmp_path / "pass", report=False)
 
     def refusal(columns, device="aluminium-200x120"):
-        times = np.arange(performed.displacements_m.shape[1]) / performed.sample_rate_Hz
+        times = np.arange(played.displacements_m.shape[1]) / played.sample_rate_Hz
         names = ",".join(f"displacement_um_{i + 1}" for i in range(columns.shape[1]))
         table = np.column_stack([times, columns[: len(times)]])
         np.savetxt(tmp_path / "pass" / "recorded.csv", table, delimiter=",", header="time_s," + names, comments="")
@@ -141,7 +144,7 @@ def test_a_late_recording_of_another_pass_is_refused_with_its_number(tmp_path):
             an.perform(two_fingers(), device, passes=[tmp_path / "pass"], longest_latency_ms=20)
         return str(error.value)
 
-    recorded = 1e6 * performed.displacements_m.T
+    recorded = 1e6 * played.displacements_m.T
     assert "recorded pass 1: has 1 channels; allowed: 2" in refusal(recorded[:, :1])
     assert "recorded pass 1: is silent" in refusal(0 * recorded)
     assert "recorded pass 1: was played on 8 ceramics, the device has 32" in refusal(recorded, "glass-148x210")
@@ -149,7 +152,7 @@ def test_a_late_recording_of_another_pass_is_refused_with_its_number(tmp_path):
 
 def test_levels_beyond_the_limits_say_what_share_is_within():
     with pytest.raises(an.LimitError) as error:
-        an.perform(two_fingers(level_um=3000), "aluminium-200x120")
+        an.perform(two_fingers(level_um=3000), "aluminium-200x120", sample_rate_Hz=24000)
     assert 0 < error.value.reachable_share < 1
     assert error.value.minimum_peak_voltage_V is None
 

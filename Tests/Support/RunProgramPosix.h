@@ -13,7 +13,7 @@ namespace antinode::test
 /** The variables that say where the user's devices and the cache are. */
 inline constexpr auto userDataVariable = "XDG_DATA_HOME", userCacheVariable = "XDG_CACHE_HOME";
 
-/** Starts the built program; its output goes to files in the folder, and its modes are cached in there too. */
+/** Starts the built program; its output goes to files in the folder. */
 inline pid_t startProgram (const ProgramArguments& arguments, const std::filesystem::path& folder,
                            const ProgramEnvironment& environment = {})
 {
@@ -26,7 +26,6 @@ inline pid_t startProgram (const ProgramArguments& arguments, const std::filesys
     { dup2 (open ((folder / name).c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), stream); };
     redirect ("stdout", STDOUT_FILENO);
     redirect ("stderr", STDERR_FILENO);
-    setenv (userCacheVariable, (folder / "cache").c_str(), 1);
 
     for (const auto& [name, value] : environment)
         setenv (name.c_str(), value.c_str(), 1);

@@ -91,11 +91,10 @@ private:
     int stream, kept;
 };
 
-/** Starts the built program; its output goes to files in the folder, and its modes are cached in there too. */
+/** Starts the built program; its output goes to files in the folder. */
 inline std::intptr_t startProgram (const ProgramArguments& arguments, const std::filesystem::path& folder,
-                                   ProgramEnvironment environment = {})
+                                   const ProgramEnvironment& environment = {})
 {
-    environment.emplace (userCacheVariable, folder / "cache");
     const OwnEnvironment variables (environment);
     const Redirection output (1, folder / "stdout"), errors (2, folder / "stderr");
     const std::filesystem::path program (ANTINODE_PROGRAM);

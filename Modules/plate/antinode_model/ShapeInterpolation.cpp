@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace antinode
@@ -96,9 +97,11 @@ std::vector<Eigen::Index> nearestPoints (const Eigen::MatrixX2d& points, const E
 {
     std::vector<Eigen::Index> order (static_cast<std::size_t> (points.rows()));
     std::iota (order.begin(), order.end(), Eigen::Index { 0 });
-    const auto distance = [&] (Eigen::Index i) { return (points.row (i) - place).squaredNorm(); };
-    std::stable_sort (order.begin(), order.end(), [&] (auto a, auto b) { return distance (a) < distance (b); });
-    order.resize (std::min (order.size(), static_cast<std::size_t> (thinPlateNeighbours)));
+    const auto rank = [&] (Eigen::Index i) { return std::pair ((points.row (i) - place).squaredNorm(), i); };
+    const auto count = std::min<Eigen::Index> (points.rows(), thinPlateNeighbours);
+    std::partial_sort (order.begin(), order.begin() + count, order.end(),
+                       [&] (auto a, auto b) { return rank (a) < rank (b); });
+    order.resize (static_cast<std::size_t> (count));
     return order;
 }
 

@@ -77,17 +77,6 @@ void restoreComb (juce::AudioPluginInstance& instance, const BuiltEffect& plugin
 }
 } // namespace
 
-TEST_CASE ("Each of the 64 ceramics of the comb has a voltage of its own under fingers", "[hosted][touch-plugin]")
-{
-    const auto& voltages = combReference().voltages;
-    REQUIRE (voltages.rows() == 64);
-    const auto largest = voltages.cwiseAbs().maxCoeff();
-
-    for (int i = 0; i < 64; ++i)
-        for (int j = 0; j < i; ++j)
-            CHECK ((voltages.row (i) - voltages.row (j)).cwiseAbs().maxCoeff() > 1e-3 * largest);
-}
-
 TEST_CASE ("Wire k of a hosted touch plug-in is ceramic k, input k finger k", "[hosted][touch-plugin]")
 {
     const auto plugin = GENERATE (from_range (builtEffects()));
@@ -96,10 +85,12 @@ TEST_CASE ("Wire k of a hosted touch plug-in is ceramic k, input k finger k", "[
     REQUIRE (instance->getTotalNumInputChannels() == fingers + (plugin.isLv2 ? 1 : 0)); // and the sensor
     REQUIRE (instance->getTotalNumOutputChannels() == plugin.ceramics);
     const auto& reference = combReference();
+    const auto largest = reference.voltages.cwiseAbs().maxCoeff();
+    REQUIRE (reference.voltages.rows() == 64);
+    CHECK (leastDifference (reference.voltages) > 1e-3 * largest); // No wire can be taken for another one.
     restoreComb (*instance, plugin);
     const auto played = instance.play (reference.inputs);
-    CHECK ((played - reference.voltages.topRows (plugin.ceramics)).cwiseAbs().maxCoeff()
-           <= 1e-6 * reference.voltages.cwiseAbs().maxCoeff());
+    CHECK ((played - reference.voltages.topRows (plugin.ceramics)).cwiseAbs().maxCoeff() <= 1e-6 * largest);
     CHECK (instance->getLatencySamples() == 960);
 }
 
