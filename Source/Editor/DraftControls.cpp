@@ -48,6 +48,7 @@ DraftNumber::DraftNumber (DeviceDraft& draftToEdit, Kind kindToEdit)
     bar.setTextValueSuffix (kind.unit.isEmpty() ? juce::String() : " " + kind.unit);
     bar.setTooltip (kind.tooltip);
     bar.setSliderSnapsToMousePosition (false);
+    bar.setScrollWheelEnabled (false); // The wheel scrolls the panel.
     bar.onDragStart = [this]
     {
         heldDocument = draft.document();

@@ -71,6 +71,7 @@ public:
         : Slider (LinearBar, TextBoxRight), parameter (parameterToSet)
     {
         setSliderSnapsToMousePosition (false);
+        setScrollWheelEnabled (false); // The wheel scrolls the panel.
     }
 
     bool keyPressed (const juce::KeyPress& key) override

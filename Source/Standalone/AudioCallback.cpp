@@ -71,10 +71,12 @@ void AudioCallback::setInputs (const FingerInputs& wanted)
     inputOfChannel.back() = wanted.sensor;
 }
 
-void AudioCallback::playTake (std::shared_ptr<Take> take, int ceramics, const std::array<int, 2>& inputs)
+void AudioCallback::playTake (std::shared_ptr<Take> take, int ceramics, double fullScaleVolts,
+                              const std::array<int, 2>& inputs)
 {
     takeCommands = queue.stops().commands();
     takeCeramics = std::clamp (ceramics, 0, OutputRouting::maximumCeramics);
+    takeFullScale = fullScaleVolts;
     std::copy (inputs.begin(), inputs.end(), takeInputs.begin());
     recorder.begin (std::move (take));
 }
@@ -223,7 +225,7 @@ void AudioCallback::playPart (int offset, int count)
                       { samples + OutputRouting::maximumCeramics, static_cast<std::size_t> (OutputRouting::monitors) },
                       { partChannels.data(), partChannels.size() },
                       count,
-                      levels.fullScaleVolts(),
+                      isMeasured ? takeFullScale.load() : levels.fullScaleVolts(),
                       levels.isArmed(),
                       width > 0 || isMeasured ? marker.data() : nullptr,
                       isMeasured });

@@ -84,10 +84,11 @@ public:
     /** Plays a take of a measurement in place of all else, as soon as the router is at it: its columns are the
        ceramics, then the sync channel on the output of the marker. A stop of any kind, a mute, disarming and another
        routing end it at 0 V.
-        @param ceramics  how many
-        @param inputs    of the device, in the order of the recorded columns, counted from 0; below 0: none
+        @param ceramics        how many
+        @param fullScaleVolts  of a sample of 1, whatever the loaded device has
+        @param inputs          of the device, in the order of the recorded columns, counted from 0; below 0: none
         @throws InputError  as PlayAndRecord::begin [any] one thread */
-    void playTake (std::shared_ptr<Take>, int ceramics, const std::array<int, 2>& inputs);
+    void playTake (std::shared_ptr<Take>, int ceramics, double fullScaleVolts, const std::array<int, 2>& inputs);
 
     /** Ramps to 0 V and ends it. [any] */
     void stopTake() { recorder.stop(); }
@@ -137,6 +138,7 @@ private:
     PlayAndRecord recorder;
     std::atomic<std::uint64_t> takeCommands { 0 }; ///< StopCount::commands() when it was asked for.
     std::atomic<int> takeCeramics { 0 };
+    std::atomic<double> takeFullScale { 0 }; ///< V
     std::array<std::atomic<int>, 2> takeInputs {};
     std::atomic<int> lost { 0 };
     juce::AudioIODevice* device = nullptr; ///< While it calls.

@@ -566,13 +566,13 @@ void BenchPanel::layOut()
     };
     layOutSensor (area);
     place (heading, true, panelRowHeight + benchGap);
-    place (text, text.getText().isNotEmpty(), heightOf (text.getText(), width) + benchGap);
     placeRow ({ { &measureButton, step == BenchStep::aiming },
                 { &skipButton, step == BenchStep::aiming },
                 { &againButton, step == BenchStep::aiming && state.point > 0 },
                 { &correctButton, step == BenchStep::wires },
                 { &goOnButton, step == BenchStep::wires } });
     placeRow ({ { &beginButton, ! isRunning (step) }, { &stopButton, isRunning (step) } });
+    place (text, text.getText().isNotEmpty(), heightOf (text.getText(), width) + benchGap); // Buttons stay in place.
     place (surface, hasPicture && step != BenchStep::done, surfaceHeight);
     place (chart, step == BenchStep::done, chartHeight);
     place (deviceName, step == BenchStep::done, panelRowHeight + benchGap);

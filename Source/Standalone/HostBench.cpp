@@ -63,7 +63,8 @@ std::string BenchDevice::obstacle() const
     return host->arm().get() ? "" : "the program is not armed; press ARM, then go on";
 }
 
-void BenchDevice::play (std::shared_ptr<Take> take, int ceramics, const std::array<int, 2>& inputs)
+void BenchDevice::play (std::shared_ptr<Take> take, int ceramics, double fullScaleVolts,
+                        const std::array<int, 2>& inputs)
 {
     const std::lock_guard lock (mutex);
 
@@ -71,7 +72,7 @@ void BenchDevice::play (std::shared_ptr<Take> take, int ceramics, const std::arr
         return;
 
     host->router().measure (true);
-    host->callback().playTake (std::move (take), ceramics, inputs);
+    host->callback().playTake (std::move (take), ceramics, fullScaleVolts, inputs);
 }
 
 void BenchDevice::stop()
@@ -110,7 +111,7 @@ void HostBench::begin (std::shared_ptr<Take> take)
     if (const auto obstacle = device->obstacle(); ! obstacle.empty())
         throw InputError ("", obstacle);
 
-    device->play (std::move (take), static_cast<int> (layout.ceramics.size()),
+    device->play (std::move (take), static_cast<int> (layout.ceramics.size()), layout.fullScale,
                   { sensor.input, layout.syncInput >= 0 ? sensor.syncInput : -1 });
 }
 

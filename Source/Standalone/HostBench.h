@@ -33,7 +33,7 @@ public:
     std::string obstacle() const;
 
     /** As AudioCallback. [any] */
-    void play (std::shared_ptr<Take>, int ceramics, const std::array<int, 2>& inputs);
+    void play (std::shared_ptr<Take>, int ceramics, double fullScaleVolts, const std::array<int, 2>& inputs);
     void stop();
     void release();
 

@@ -317,6 +317,13 @@ TEST_CASE ("what the bench plays leaves by the outputs of the ceramics and comes
     const auto straight = analyseRun (excitation, 1, bench->play (excitation, 1, 0, 1));
     const auto other = analyseRun (excitation, 2, bench->play (excitation, 2, 0, 1));
     CHECK (straight.latency == Approx (LoopedDevice::delay).margin (0.01));
+    // The same volts where the device that is loaded meanwhile has another full scale.
+    auto larger = *device.host.model();
+    larger.fullScaleVoltage *= 2;
+    HostBench elsewhere (std::make_shared<BenchDevice> (device.host), { 0, 1, { 1000, 1 } }, true, larger);
+    const auto same = analyseRun (excitation, 2, elsewhere.play (excitation, 2, 0, 1));
+    CHECK ((same.responses.values - other.responses.values).cwiseAbs().maxCoeff()
+           < 1e-4 * other.responses.values.cwiseAbs().maxCoeff());
     // A sample of 1 is so many volts, a quarter comes back, and a sample of 1 is 1 m/s.
     const auto gain = 0.25 / device.host.model()->fullScaleVoltage;
 
