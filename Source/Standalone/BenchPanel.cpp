@@ -566,13 +566,19 @@ void BenchPanel::layOut()
     };
     layOutSensor (area);
     place (heading, true, panelRowHeight + benchGap);
-    placeRow ({ { &measureButton, step == BenchStep::aiming },
-                { &skipButton, step == BenchStep::aiming },
-                { &againButton, step == BenchStep::aiming && state.point > 0 },
+    // All buttons stay in place, so that a second click on one never meets Stop.
+    const auto asks = isRunning (step) && step != BenchStep::wires;
+
+    for (auto* const button : { &measureButton, &skipButton, &againButton })
+        button->setEnabled (step == BenchStep::aiming && (button != &againButton || state.point > 0));
+
+    placeRow ({ { &measureButton, asks },
+                { &skipButton, asks },
+                { &againButton, asks },
                 { &correctButton, step == BenchStep::wires },
                 { &goOnButton, step == BenchStep::wires } });
     placeRow ({ { &beginButton, ! isRunning (step) }, { &stopButton, isRunning (step) } });
-    place (text, text.getText().isNotEmpty(), heightOf (text.getText(), width) + benchGap); // Buttons stay in place.
+    place (text, text.getText().isNotEmpty(), heightOf (text.getText(), width) + benchGap);
     place (surface, hasPicture && step != BenchStep::done, surfaceHeight);
     place (chart, step == BenchStep::done, chartHeight);
     place (deviceName, step == BenchStep::done, panelRowHeight + benchGap);
