@@ -75,7 +75,7 @@ std::filesystem::path folderFor (const BenchQuestion& question, const Excitation
 
     for (int i = 1;; ++i)
     {
-        const auto folder = question.folder / (i == 1 ? name : name + " " + std::to_string (i));
+        auto folder = question.folder / (i == 1 ? name : name + " " + std::to_string (i));
         std::error_code ignored;
 
         if (std::filesystem::exists (folder / "responses.uff", ignored))

@@ -66,7 +66,7 @@ private:
     BenchSensor sensor;
 };
 
-/** The same with the wires of some outputs put right: exchanged ones get each other's ceramics, reversed ones the other
+/** The same with the wires of some outputs corrected: exchanged ones get each other's ceramics, reversed ones the other
     polarity. [any] */
 OutputRouting withRightWires (OutputRouting, const std::vector<WireFinding>&);
 } // namespace antinode
