@@ -68,10 +68,10 @@ std::vector<Field> fields (MeasureRequest& request)
 
 Eigen::MatrixX2d placesToMeasure (const ModalModel& model, int count)
 {
-    constexpr int candidates = 60;  // So few that chosen ones are some millimetres apart: aim is no better.
     constexpr double margin = 0.08; // of the shorter side: aim is worst, and motion least like the drawing's, at edges
     const auto& surface = model.surface;
     const auto isLine = surface.kind == SurfaceKind::line;
+    const int candidates = isLine ? 20 : 60; // So few that chosen ones are some millimetres apart: aim is no better.
     const auto width = surface.xMaximum - surface.xMinimum, height = surface.yMaximum - surface.yMinimum;
     const auto away = margin * (isLine ? width : std::min (width, height));
     const auto isInside = [&] (double x, double y)
