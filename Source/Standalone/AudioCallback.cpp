@@ -71,10 +71,10 @@ void AudioCallback::setInputs (const FingerInputs& wanted)
     inputOfChannel.back() = wanted.sensor;
 }
 
-void AudioCallback::playTake (std::shared_ptr<Take> take, int ceramics, double fullScaleVolts,
+void AudioCallback::playTake (std::shared_ptr<Take> take, std::uint64_t stops, int ceramics, double fullScaleVolts,
                               const std::array<int, 2>& inputs)
 {
-    takeCommands = queue.stops().commands();
+    takeCommands = stops;
     takeCeramics = std::clamp (ceramics, 0, OutputRouting::maximumCeramics);
     takeFullScale = fullScaleVolts;
     std::copy (inputs.begin(), inputs.end(), takeInputs.begin());
@@ -215,7 +215,8 @@ void AudioCallback::playPart (int offset, int count)
     if (width > 0)
         levels.writeMarker (marker.data(), count, width);
 
-    const auto isMeasured = playTakePart (offset, count);
+    const auto stay = playTakePart (offset, count);
+    const auto isMeasured = stay != OutputRouter::noStay;
 
     for (std::size_t i = 0; i < channels.size(); ++i)
         partChannels[i] = channels[i] != nullptr ? channels[i] + offset : nullptr;
@@ -228,17 +229,22 @@ void AudioCallback::playPart (int offset, int count)
                       isMeasured ? takeFullScale.load() : levels.fullScaleVolts(),
                       levels.isArmed(),
                       width > 0 || isMeasured ? marker.data() : nullptr,
-                      isMeasured });
+                      stay });
 }
 
-/** The next samples of a take, in place of what the processor plays. @return  whether the router is at it */
-bool AudioCallback::playTakePart (int offset, int count)
+/** The next samples of a take, in place of what the processor plays. @return  the stay at it of the router, or none */
+int AudioCallback::playTakePart (int offset, int count)
 {
     if (! router.playsMeasurement())
     {
         recorder.cut (router.mayMeasure (levels.isArmed()));
-        return false;
+        return OutputRouter::noStay;
     }
+
+    const auto stay = router.stay();
+
+    if (stay != takeStay && recorder.hasBegun())
+        recorder.cut (true); // It was left and is there again, by another routing.
 
     if (queue.stops().commands() != takeCommands)
         recorder.stop();
@@ -249,6 +255,11 @@ bool AudioCallback::playTakePart (int offset, int count)
     const auto ceramics = takeCeramics.load();
     std::copy_n (buffer.getArrayOfWritePointers(), ceramics, to.begin());
     to[static_cast<std::size_t> (ceramics)] = marker.data();
+
+    if (router.isLeaving() && ! recorder.hasBegun())
+        return stay; // It begins in the next stay.
+
+    takeStay = stay;
     std::array<const float*, 2> from {};
 
     for (std::size_t i = 0; i < from.size(); ++i)
@@ -257,6 +268,6 @@ bool AudioCallback::playTakePart (int offset, int count)
                 from[i] = samples + offset;
 
     recorder.process (from.data(), static_cast<int> (from.size()), to.data(), ceramics + 1, count);
-    return true;
+    return stay;
 }
 } // namespace antinode

@@ -85,10 +85,12 @@ public:
        ceramics, then the sync channel on the output of the marker. A stop of any kind, a mute, disarming and another
        routing end it at 0 V.
         @param ceramics        how many
+        @param stops           StopCount::commands() of when it was allowed: a stop since then voids it
         @param fullScaleVolts  of a sample of 1, whatever the loaded device has
         @param inputs          of the device, in the order of the recorded columns, counted from 0; below 0: none
         @throws InputError  as PlayAndRecord::begin [any] one thread */
-    void playTake (std::shared_ptr<Take>, int ceramics, double fullScaleVolts, const std::array<int, 2>& inputs);
+    void playTake (std::shared_ptr<Take>, std::uint64_t stops, int ceramics, double fullScaleVolts,
+                   const std::array<int, 2>& inputs);
 
     /** Ramps to 0 V and ends it. [any] */
     void stopTake() { recorder.stop(); }
@@ -127,7 +129,7 @@ private:
     void noteInputs (const float* const* inputs, int inputCount);
     void fillInputs (int offset, int count);
     void playPart (int offset, int count);
-    bool playTakePart (int offset, int count);
+    int playTakePart (int offset, int count);
 
     juce::AudioProcessor& processor;
     OutputRouter& router;
@@ -136,12 +138,13 @@ private:
     EventSchedule schedule;
     InputTap inputTap;
     PlayAndRecord recorder;
-    std::atomic<std::uint64_t> takeCommands { 0 }; ///< StopCount::commands() when it was asked for.
+    std::atomic<std::uint64_t> takeCommands { 0 }; ///< StopCount::commands() when it was allowed.
     std::atomic<int> takeCeramics { 0 };
     std::atomic<double> takeFullScale { 0 }; ///< V
     std::array<std::atomic<int>, 2> takeInputs {};
     std::atomic<int> lost { 0 };
     juce::AudioIODevice* device = nullptr; ///< While it calls.
+    int takeStay = OutputRouter::noStay;   ///< Of the router, in which the take began. Of the audio thread.
     std::atomic<bool> scheduleWanted { false };
     std::atomic<std::uint64_t> scheduleCommands { 0 }; ///< StopCount::commands() when it was asked for.
     std::atomic<std::int64_t> schedulePosition { -1 }, played { 0 };

@@ -322,7 +322,15 @@ void AudioHost::passRouting()
 {
     instrument->setAmplifiers (amplifierVoltages (kept.routing));
     const auto volts = limits();
-    outputRouter.setRouting (kept.routing, { volts.begin(), volts.end() });
+    std::vector<double> wanted (volts.begin(), volts.end());
+
+    // Each one ramps all outputs to 0 V and back.
+    if (kept.routing == passedRouting && wanted == passedLimits)
+        return;
+
+    outputRouter.setRouting (kept.routing, wanted);
+    passedRouting = kept.routing;
+    passedLimits = std::move (wanted);
 }
 
 void AudioHost::save()

@@ -146,6 +146,12 @@ public:
     /** Ends what plays, as far as it ends by itself, and voids what waits to play. [any but the audio thread] */
     virtual void stopAll() = 0;
 
+    /** How often all was ended, by whatever command. [any] */
+    std::uint64_t stopCommands() const { return instrument->stops.commands(); }
+
+    /** Of the ceramics while this plays, V; none: no device is solved. [message thread] */
+    virtual Eigen::VectorXd limits() = 0;
+
     /** Of what plays. [any but the audio thread] */
     LevelMeters& meters() const { return *instrument->processor.playing().meters; }
 
@@ -234,7 +240,6 @@ private:
 
     void begin (Instrument);
     virtual void keepState (StandaloneSettings&) = 0; ///< What plays, into the settings.
-    virtual Eigen::VectorXd limits() = 0;     ///< Of the ceramics while this plays, V; none: no device is solved.
     virtual std::uint64_t generation() = 0;   ///< Another one where limits may have changed.
     virtual void setControl (OscControl) = 0; ///< Of the ports that are opened from now on.
     virtual void tick() {}                    ///< 20 times a second.
@@ -269,5 +274,7 @@ private:
     DeviceWatch watch;
     std::shared_ptr<RemoteControl> control;
     std::uint64_t seenGeneration = 0; ///< When it was looked at last.
+    OutputRouting passedRouting;      ///< To the router, with the next line.
+    std::vector<double> passedLimits;
 };
 } // namespace antinode

@@ -1,6 +1,7 @@
 #include "BenchPanel.h"
 
 #include <Editor/EditorLook.h>
+#include <antinode_audio/IdentifyTone.h>
 #include <antinode_base/InputError.h>
 #include <antinode_base/MessageText.h>
 #include <antinode_base/Prefixes.h>
@@ -82,6 +83,7 @@ BenchPanel::BenchPanel (AudioHost& hostToUse) : host (hostToUse), audio (std::ma
     text.setMinimumHorizontalScale (1);
     checklist.setMultiLine (true, false);
     checklist.setReadOnly (true);
+    checklist.setEscapeAndReturnKeysConsumed (false);
     checklist.setTitle ("Checklist");
     checklist.setFont (EditorLook::font (EditorLook::smallTextHeight));
     chooseTour (true);
@@ -122,11 +124,11 @@ void BenchPanel::makeSensor()
     {
         editor->setInputRestrictions (12, "0123456789.,%mVs/ ");
         editor->onReturnKey = editor->onFocusLost = [this] { takeSensor(); };
-        editor->setEscapeAndReturnKeysConsumed (false);
     }
 
     for (auto* const editor : { &sensitivity, &inputRange, &level, &deviceName })
     {
+        editor->setEscapeAndReturnKeysConsumed (false);
         editor->setFont (EditorLook::font (EditorLook::smallTextHeight));
         editor->setJustification (juce::Justification::centredLeft);
         page.addAndMakeVisible (editor);
@@ -166,7 +168,10 @@ void BenchPanel::makeActions()
 
     for (auto* const button : { &beginButton, &stopButton, &measureButton, &skipButton, &againButton, &correctButton,
                                 &goOnButton, &saveButton })
+    {
+        button->setMouseClickGrabsKeyboardFocus (false); // The keys stay with the window.
         page.addAndMakeVisible (button);
+    }
 }
 
 void BenchPanel::chooseTour (bool isTourWanted)
@@ -232,11 +237,11 @@ BenchQuestion BenchPanel::question()
 {
     BenchQuestion asked;
     asked.device = device();
-    asked.folder = folder;
+    asked.folder = isTour() ? folder / "Tour" : folder;
+    asked.conditions = begunUnder = conditions();
     asked.levelShare =
         std::clamp (typedNumber (level.getText().trim().toStdString(), { "%" }).value_or (usualShare), 0.1, 100.0)
         / 100;
-    asked.amplifiers = amplifierVoltages (routing());
     asked.syncOutput = routing().marker.output;
 
     if (isTour())
@@ -256,10 +261,62 @@ BenchQuestion BenchPanel::question()
         asked.latency =
             std::max (0, opened->getOutputLatencyInSamples() + opened->getInputLatencyInSamples()) / asked.sampleRate;
 
+    const auto limits = host.limits();
+    asked.limits.assign (limits.begin(), limits.end());
+    asked.outputs.assign (routing().outputs.begin(),
+                          routing().outputs.begin()
+                              + std::min<std::ptrdiff_t> (OutputRouting::maximumCeramics, limits.size()));
+    asked.rest = [kept = audio] { kept->release(); };
     asked.open = [kept = audio, sensor, hasSync] (const ModalModel& model,
                                                   const Eigen::MatrixX2d&) -> std::unique_ptr<Bench>
     { return std::make_unique<HostBench> (kept, sensor, hasSync, model); };
     return asked;
+}
+
+/** Of what counts as one measurement. */
+std::string BenchPanel::conditions() const
+{
+    StandaloneSettings now;
+    now.routing = routing();
+    now.bench = isTour() ? BenchSensor() : host.settings().bench;
+    return settingsToText (now);
+}
+
+/** Why the sensor cannot be heard, or empty. */
+juce::String BenchPanel::closedInputs() const
+{
+    auto* const opened = host.devices().getCurrentAudioDevice();
+    const auto& sensor = host.settings().bench;
+    const auto isOpen = [open = opened != nullptr ? opened->getActiveInputChannels() : juce::BigInteger()] (int input)
+    { return input >= 0 && open[input]; };
+
+    if (isOpen (sensor.input) && (sensor.syncInput < 0 || isOpen (sensor.syncInput)))
+        return {};
+
+    return "An input of the bench is not open. Choose it in Settings, Audio device, then here.";
+}
+
+bool BenchPanel::hasPoint() const
+{
+    return std::find (state.measured.begin(), state.measured.end(), true) != state.measured.end();
+}
+
+void BenchPanel::answer (PointAnswer answer)
+{
+    saved = {};
+
+    if (conditions() != begunUnder && answer == PointAnswer::measure && state.step == BenchStep::aiming)
+        saved = "Routing or sensor have changed since this measurement began. Stop, then begin.";
+    else if (! isTour() && answer == PointAnswer::measure)
+        saved = closedInputs();
+
+    if (saved.isEmpty())
+    {
+        audio->allow();
+        work->answer (answer, state.step, state.point);
+    }
+
+    refresh();
 }
 
 void BenchPanel::begin()
@@ -293,10 +350,7 @@ void BenchPanel::setRouting (const OutputRouting& routing)
 void BenchPanel::correctRouting()
 {
     setRouting (withRightWires (routing(), state.findings));
-    auto asked = question();
-    asked.isAnew = true; // What was measured by the wrong wires does not count.
-    work->ask (std::move (asked));
-    refresh();
+    begin();
 }
 
 void BenchPanel::scaleAmplifier (std::size_t ceramic, double ratio)
@@ -310,6 +364,7 @@ void BenchPanel::scaleAmplifier (std::size_t ceramic, double ratio)
     auto& volts = wanted.chains[static_cast<std::size_t> (output)].voltsPerFullScale;
     volts = ratio * (volts > 0 ? volts : modelOf (state).fullScaleVoltage);
     setRouting (wanted);
+    begin(); // By the new gain.
 }
 
 void BenchPanel::save (const juce::String& name)
@@ -400,10 +455,14 @@ void BenchPanel::showRows()
     if (state.picture == nullptr)
         return;
 
+    // What the tone has now: the limits may have changed.
+    if (const auto limits = isTour() ? Eigen::VectorXd() : host.limits(); limits.size() == std::ssize (state.toneVolts))
+        std::transform (limits.begin(), limits.end(), state.toneVolts.begin(), IdentifyTone::amplitude);
+
     const auto canIdentify = ! isTour() && host.arm().get() && state.step != BenchStep::playing;
 
     for (std::size_t k = 0; k < rows.size(); ++k)
-        rows[k]->show (state, canIdentify, host.router().identified() == static_cast<int> (k));
+        rows[k]->show (state, canIdentify, ! hasPoint() && state.step == BenchStep::aiming, host.router().identified() == static_cast<int> (k));
 }
 
 juce::String BenchPanel::title() const
@@ -420,6 +479,9 @@ juce::String BenchPanel::title() const
         case BenchStep::aiming:
             return place + ": aim the sensor at the cross";
         case BenchStep::playing:
+            if (state.ceramic < 0)
+                return place;
+
             return place + ": ceramic " + juce::String (state.ceramic + 1) + " of "
                    + juce::String (static_cast<int> (rows.size())) + " plays";
         case BenchStep::wires:

@@ -48,7 +48,8 @@ public:
 
     explicit WireRow (std::size_t ceramicToShow);
 
-    void show (const BenchState&, bool canIdentify, bool identifies);
+    /** @param canRead  whether the gain may change: nothing is measured by it */
+    void show (const BenchState&, bool canIdentify, bool canRead, bool identifies);
 
     /** As if the user typed them: nF, V. */
     void enterCapacitance (const juce::String& text);
@@ -99,7 +100,7 @@ public:
 
     void begin();
     void stop();
-    void answer (PointAnswer answer) { work->answer (answer); }
+    void answer (PointAnswer);
     void correctRouting();
     void save (const juce::String& name);
     void chooseTour (bool isTour);
@@ -129,6 +130,9 @@ private:
     void takeSensor();
     void fillInputs();
     BenchQuestion question();
+    std::string conditions() const;
+    juce::String closedInputs() const;
+    bool hasPoint() const;
     void setRouting (const OutputRouting&);
     void scaleAmplifier (std::size_t ceramic, double ratio);
     void makeRows();
@@ -148,7 +152,8 @@ private:
     SessionThread<BenchWork> work;
     BenchState state;
     OutputRouting tourRouting = straightRouting();
-    juce::String saved; ///< What became of saving.
+    juce::String saved;     ///< What became of the last action.
+    std::string begunUnder; ///< conditions() of the measurement.
     Page page;
     juce::Viewport viewport;
     juce::ComboBox bench, input, syncInput;

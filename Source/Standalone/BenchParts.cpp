@@ -113,6 +113,7 @@ WireRow::WireRow (std::size_t ceramicToShow) : ceramic (ceramicToShow)
 {
     name.setText (juce::String (static_cast<int> (ceramic) + 1), juce::dontSendNotification);
     identify.setTooltip ("Plays soft bursts on this ceramic only. Works only while armed, on the bench");
+    identify.setMouseClickGrabsKeyboardFocus (false);
     identify.onClick = [this]
     {
         if (onIdentify)
@@ -143,8 +144,9 @@ WireRow::WireRow (std::size_t ceramicToShow) : ceramic (ceramicToShow)
     addAndMakeVisible (identify);
 }
 
-void WireRow::show (const BenchState& state, bool canIdentify, bool identifies)
+void WireRow::show (const BenchState& state, bool canIdentify, bool canRead, bool identifies)
 {
+    tone.setEnabled (canRead);
     const auto& palette = EditorLook::findPalette (*this);
     expectedCapacitance = state.picture->model->ceramics[ceramic].capacitance;
     expectedTone = ceramic < state.toneVolts.size() ? state.toneVolts[ceramic] : 0;

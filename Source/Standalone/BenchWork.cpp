@@ -34,16 +34,16 @@ std::shared_ptr<const SurfacePicture> pictureOf (const ModalModel& model)
     return picture;
 }
 
-/** What ceramics play: a share of the limits, and never more than an amplifier gives. */
+/** What ceramics play: a share of the limits. */
 std::vector<double> levelsFor (const ModalModel& model, const BenchQuestion& question)
 {
     std::vector<double> levels;
 
     for (std::size_t k = 0; k < model.ceramics.size(); ++k)
     {
-        const auto amplifier = k < question.amplifiers.size() ? question.amplifiers[k] : 0.0;
         const auto limit = voltageLimit (model, k);
-        levels.push_back (question.levelShare * (amplifier > 0 ? std::min (limit, amplifier) : limit));
+        levels.push_back (question.levelShare
+                          * (k < question.limits.size() ? std::min (limit, question.limits[k]) : limit));
     }
 
     return levels;
@@ -58,16 +58,7 @@ std::string asFileName (std::string name)
     return name.empty() || name.front() == '.' ? "device" + name : name;
 }
 
-bool hasPoints (const MeasurementFolder& folder, Eigen::Index points)
-{
-    for (Eigen::Index p = 0; p < points; ++p)
-        if (folder.has (p))
-            return true;
-
-    return false;
-}
-
-/** The first folder that is free, or holds the same measurement, not finished. */
+/** The first folder that is free, or holds the same measurement under the same conditions, not finished. */
 std::filesystem::path folderFor (const BenchQuestion& question, const ExcitationSheet& sheet,
                                  const Eigen::MatrixX2d& points)
 {
@@ -78,15 +69,19 @@ std::filesystem::path folderFor (const BenchQuestion& question, const Excitation
         auto folder = question.folder / (i == 1 ? name : name + " " + std::to_string (i));
         std::error_code ignored;
 
-        if (std::filesystem::exists (folder / "responses.uff", ignored))
+        const auto conditions = folder / "bench.json";
+
+        if (std::filesystem::exists (folder / "responses.uff", ignored)
+            || (std::filesystem::exists (folder, ignored)
+                && (! std::filesystem::exists (conditions, ignored)
+                    || readWholeFile (conditions, {}) != question.conditions)))
             continue;
 
         try
         {
             const MeasurementFolder made (folder, sheet, points);
-
-            if (! question.isAnew || ! hasPoints (made, points.rows()))
-                return folder;
+            writeWholeFile (conditions, question.conditions);
+            return folder;
         }
         catch (const InputError&)
         {
@@ -189,6 +184,7 @@ Chart responseComparison (const RetunedDevice& retuned, const FrequencyResponses
 
 void BenchWork::leave()
 {
+    const std::lock_guard lock (mutex); // Else who is about to wait would not hear of it.
     questions.leave();
     answered.notify_all();
 }
@@ -204,13 +200,15 @@ void BenchWork::ask (BenchQuestion question)
     answered.notify_all();
 }
 
-void BenchWork::answer (PointAnswer answer)
+void BenchWork::answer (PointAnswer answer, BenchStep step, Eigen::Index point)
 {
     const std::lock_guard lock (mutex);
 
-    if (known.step == BenchStep::aiming || known.step == BenchStep::wires)
-        chosen = answer;
+    if ((step != BenchStep::aiming && step != BenchStep::wires) || known.step != step || known.point != point)
+        return;
 
+    chosen = answer;
+    known.step = BenchStep::playing; // A second click answers nothing.
     answered.notify_all();
 }
 
@@ -276,11 +274,14 @@ PointAnswer BenchWork::waitForAnswer()
     return *std::exchange (chosen, std::nullopt);
 }
 
-PointGuide BenchWork::guide (const MeasurementFolder& folder)
+PointGuide BenchWork::guide (const MeasurementFolder& folder, const std::function<void()>& rest)
 {
     PointGuide guide;
-    guide.ask = [this, &folder] (const Eigen::MatrixX2d&, Eigen::Index first, Eigen::Index)
+    guide.ask = [this, &folder, rest] (const Eigen::MatrixX2d&, Eigen::Index first, Eigen::Index)
     {
+        if (rest)
+            rest();
+
         set (
             [&folder, first] (BenchState& now)
             {
@@ -305,7 +306,7 @@ PointGuide BenchWork::guide (const MeasurementFolder& folder)
     guide.tell = [this] (const std::string& sentence)
     { set ([&] (BenchState& now) { now.sentences.push_back (sentence); }); };
     guide.wires =
-        [this, isFirst = true] (const SurfaceMeasurement& measurement, const std::vector<WireFinding>& findings) mutable
+        [this, rest, isFirst = true] (const SurfaceMeasurement& measurement, const std::vector<WireFinding>& findings) mutable
     {
         const auto decides = std::exchange (isFirst, false) && ! findings.empty();
         set (
@@ -315,6 +316,9 @@ PointGuide BenchWork::guide (const MeasurementFolder& folder)
                 now.answers = answersOf (measurement.responses);
                 now.step = decides ? BenchStep::wires : now.step;
             });
+
+        if (decides && rest)
+            rest();
 
         if (decides)
             waitForAnswer();
@@ -329,19 +333,27 @@ void BenchWork::measure (const BenchQuestion& question)
     request.excitation.sampleRate = question.sampleRate;
     request.latency = question.latency;
     const auto model = excitedModel (request.excitation.device, true);
+
+    if (model.actuators() > OutputRouting::maximumCeramics)
+        throw InputError ("device", "has " + std::to_string (model.actuators()) + " ceramics; allowed: "
+                                        + std::to_string (OutputRouting::maximumCeramics));
+
     request.points = placesToMeasure (model, question.points);
     request.excitation.levels = levelsFor (model, question);
     const auto sheet = excitationFor (model, request.excitation);
     request.folder = folderFor (question, sheet, request.points);
-    BenchChannels channels { { question.sensor.input }, question.syncOutput, -1 };
-    channels.syncInput = question.hasSync ? question.sensor.syncInput : -1;
+    const BenchChannels channels { { question.sensor.input },
+                                   question.syncOutput,
+                                   question.hasSync ? question.sensor.syncInput : -1,
+                                   question.outputs };
     auto checklist = benchChecklist (model, sheet, request.points, channels, question.sensor.scale);
     writeWholeFile (request.folder / "checklist.txt", checklist);
     const auto picture = pictureOf (model);
     std::vector<double> tones;
 
     for (std::size_t k = 0; k < model.ceramics.size(); ++k)
-        tones.push_back (IdentifyTone::amplitude (voltageLimit (model, k)));
+        tones.push_back (IdentifyTone::amplitude (k < question.limits.size() ? question.limits[k]
+                                                                             : voltageLimit (model, k)));
 
     set (
         [&] (BenchState& now)
@@ -354,7 +366,7 @@ void BenchWork::measure (const BenchQuestion& question)
             now.folder = request.folder;
         });
     const MeasurementFolder folder (request.folder, sheet, request.points);
-    const auto measured = measureOnBench (request, guide (folder), question.open);
+    const auto measured = measureOnBench (request, guide (folder, question.rest), question.open);
     set ([] (BenchState& now) { now.step = BenchStep::retuning; });
     retune (question, measured);
 }

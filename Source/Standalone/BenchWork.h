@@ -23,17 +23,19 @@ namespace antinode
 struct BenchQuestion
 {
     std::shared_ptr<const DeviceDocument> device;
-    OpenBench open; ///< Called when the places are known. [worker]
+    OpenBench open;             ///< Called when the places are known. [worker]
+    std::function<void()> rest; ///< Called while it waits for an answer: other things may play; none: nothing is done.
     BenchSensor sensor;
     bool hasSync = true;
     double sampleRate = 96000;      ///< Hz
     double latency = 0;             ///< s, without a sync channel.
     double levelShare = 0.2;        ///< Of the limit of each ceramic and its amplifier.
-    std::vector<double> amplifiers; ///< V of a full-scale sample of each ceramic; 0 or missing: the device's.
-    int syncOutput = -1;            ///< Counted from 0; below 0: none.
+    std::vector<double> limits; ///< V, of each ceramic, that the program keeps besides the device's; missing: none.
+    std::vector<int> outputs;   ///< Of each ceramic, counted from 0.
+    int syncOutput = -1;        ///< Counted from 0; below 0: none.
+    std::string conditions;     ///< Routing and sensor: what was measured under others does not count.
     int points = 6;
     std::filesystem::path folder; ///< In which the measurement gets one of its own.
-    bool isAnew = false;          ///< What was measured before does not count.
 };
 
 /** Where a measurement is. */
@@ -85,8 +87,9 @@ public:
 
     void ask (BenchQuestion);
 
-    /** Where it waits for an answer: at a point, or whether to go on with wires that are wrong (measure). */
-    void answer (PointAnswer);
+    /** Where it waits for an answer: at a point, or whether to go on with wires that are wrong (measure).
+        @param step, point  of the question that is answered: others are not */
+    void answer (PointAnswer, BenchStep step, Eigen::Index point);
 
     /** Ramps to 0 V and ends; what is measured is kept. */
     void stop();
@@ -95,7 +98,7 @@ public:
 
 private:
     void measure (const BenchQuestion&);
-    PointGuide guide (const MeasurementFolder&);
+    PointGuide guide (const MeasurementFolder&, const std::function<void()>& rest);
     PointAnswer waitForAnswer();
     void retune (const BenchQuestion&, const MeasuredSurface&);
     void set (const std::function<void (BenchState&)>&);

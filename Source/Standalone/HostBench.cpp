@@ -27,9 +27,18 @@ TakeLayout layoutFor (const ModalModel& model, const BenchSensor& sensor, bool h
 
 void BenchDevice::close()
 {
-    release();
     const std::lock_guard lock (mutex);
+
+    if (host != nullptr)
+        host->router().measure (false);
+
     host = nullptr;
+}
+
+void BenchDevice::allow()
+{
+    const std::lock_guard lock (mutex);
+    stops = host->stopCommands();
 }
 
 std::int64_t BenchDevice::samplesPlayed() const
@@ -60,7 +69,10 @@ std::string BenchDevice::obstacle() const
     if (host->router().isMuted())
         return "the outputs are muted; release them, then go on";
 
-    return host->arm().get() ? "" : "the program is not armed; press ARM, then go on";
+    if (! host->arm().get())
+        return "the program is not armed; press ARM, then go on";
+
+    return host->stopCommands() == stops ? "" : "the measurement was stopped; go on where it was";
 }
 
 void BenchDevice::play (std::shared_ptr<Take> take, int ceramics, double fullScaleVolts,
@@ -72,7 +84,7 @@ void BenchDevice::play (std::shared_ptr<Take> take, int ceramics, double fullSca
         return;
 
     host->router().measure (true);
-    host->callback().playTake (std::move (take), ceramics, fullScaleVolts, inputs);
+    host->callback().playTake (std::move (take), stops, ceramics, fullScaleVolts, inputs);
 }
 
 void BenchDevice::stop()
@@ -100,6 +112,9 @@ HostBench::HostBench (std::shared_ptr<BenchDevice> deviceToUse, const BenchSenso
 
     if (! (sensor.scale.sensitivity > 0))
         throw InputError ("sensitivity", "is missing; enter that of the sensor, mm/s per V");
+
+    if (hasSync && sensor.syncInput == sensor.input)
+        throw InputError ("input " + std::to_string (sensor.input + 1), "has two roles; allowed: one");
 
     if (model.actuators() > OutputRouting::maximumCeramics)
         throw InputError ("device", "has " + std::to_string (model.actuators())

@@ -19,7 +19,7 @@ class BenchDevice
 {
 public:
     /** @param hostToUse  outlives this, or close() */
-    explicit BenchDevice (AudioHost& hostToUse) : host (&hostToUse) {}
+    explicit BenchDevice (AudioHost& hostToUse) : host (&hostToUse) { allow(); }
 
     /** [message thread] */
     void close();
@@ -28,6 +28,9 @@ public:
     std::int64_t samplesPlayed() const;
     double sampleRate() const;
     int lostBlocks() const;
+
+    /** From now on takes may be played, until something stops all. [message thread] */
+    void allow();
 
     /** Why nothing may be measured now, or empty. [any] */
     std::string obstacle() const;
@@ -39,7 +42,8 @@ public:
 
 private:
     mutable std::mutex mutex;
-    AudioHost* host; ///< Under the mutex; none: closed.
+    AudioHost* host;         ///< Under the mutex, as the next line; none: closed.
+    std::uint64_t stops = 0; ///< AudioHost::stopCommands() when it was allowed.
 };
 
 /** The bench of the standalone program: the ceramics by their routing, the sync channel on the output of the marker. It
@@ -51,6 +55,7 @@ public:
     /** @param hasSync  a marker has an output
         @throws InputError  where no device plays, or the sensor's sensitivity is missing [any] */
     HostBench (std::shared_ptr<BenchDevice>, const BenchSensor&, bool hasSync, const ModalModel&);
+    ~HostBench() override { device->release(); }
 
 private:
     double sampleRate() const override { return device->sampleRate(); }
@@ -58,7 +63,7 @@ private:
     int lostBlocks() const override { return device->lostBlocks(); }
     void begin (std::shared_ptr<Take>) override;
     void stop() override { device->stop(); }
-    void release() override { device->release(); }
+    bool isVoid() const override { return ! device->obstacle().empty(); }
     void leave() override {} // A take lives as long as the callback may come back to it.
     std::string whyEnded() const override;
 

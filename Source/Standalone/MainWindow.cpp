@@ -257,6 +257,9 @@ public:
 
     void closeButtonPressed() override { juce::MessageManager::getInstance()->stopDispatchLoop(); }
 
+    /** Where nothing has the keyboard, as after a focused button was disabled: F12 and Escape work always. */
+    bool keyPressed (const juce::KeyPress& key) override { return getContentComponent()->keyPressed (key); }
+
 private:
     static constexpr int maximumSize = 16384;
 

@@ -215,7 +215,7 @@ void OutputRouter::prepare (double sampleRate)
     rampSamples = std::max<std::int64_t> (1, std::llround (rampTime * rate));
     takeTable();
     source = foci;
-    isLeaving = false;
+    isOnLeave = false;
     sourceLeft = 0;
     sourceRamp = SafetyRamp (1);
     isMuting = wantsMute;
@@ -280,10 +280,11 @@ void OutputRouter::changeSource()
     if (sourceLeft > 0)
         return;
 
-    if (isLeaving)
+    if (isOnLeave)
     {
         takeTable();
         hasNewTable = false;
+        stays += source == measurement ? 1 : 0;
         source = blockSource;
         toneSample = 0;
     }
@@ -292,8 +293,8 @@ void OutputRouter::changeSource()
         return;
     }
 
-    isLeaving = ! isLeaving;
-    sourceRamp.setTarget (isLeaving ? 0 : 1, rampSamples);
+    isOnLeave = ! isOnLeave;
+    sourceRamp.setTarget (isOnLeave ? 0 : 1, rampSamples);
     sourceLeft = rampSamples;
 }
 
@@ -386,7 +387,7 @@ void OutputRouter::fillCeramic (const RouterBlock& block, const Part& part, int 
         return;
     }
 
-    if ((source == measurement) != block.isMeasured)
+    if (block.stay != (source == measurement ? stays : noStay))
         return;
 
     const auto& chain = routing.chains[index];

@@ -108,7 +108,7 @@ struct RouterBlock
     double fullScaleVolts = 0;     ///< 0: nothing is played yet.
     bool isArmed = false;          ///< Else there is no identify tone either.
     const float* marker = nullptr; ///< 1 from each focus on for its time; none: nothing marks.
-    bool isMeasured = false;       ///< Ceramics and marker are those of a measurement.
+    int stay = -1;                 ///< Ceramics and marker are those of a measurement in this stay of the router; -1: of none.
 };
 
 /** The last station before the device: from voltages to what each output must give so that the amplifier behind it
@@ -163,8 +163,16 @@ public:
     /** Whether what a measurement gives now goes out, at least on the ramp of its end. [audio thread] */
     bool playsMeasurement() const
     {
-        return source == measurement && (isLeaving || sourceLeft == 0) && ! (isMuting && ! muteRamp.isMoving());
+        return source == measurement && (isOnLeave || sourceLeft == 0) && ! (isMuting && ! muteRamp.isMoving());
     }
+
+    /** It counts how often a measurement was left: what was measured in one stay does not go out in another. [audio
+        thread] */
+    int stay() const { return stays; }
+    static constexpr int noStay = -1;
+
+    /** Whether outputs are on the ramp to 0 V of what they leave. [audio thread] */
+    bool isLeaving() const { return isOnLeave; }
 
     /** How long a marker lasts; 0: there is none. [audio thread] */
     std::int64_t markerSamples() const;
@@ -196,9 +204,10 @@ private:
 
     std::unique_ptr<Table> table; ///< Of the audio thread, as all that follows.
     double rate = 48000;
+    int stays = 0;
     std::int64_t rampSamples = 1, sourceLeft = 0, toneSample = 0;
     int source = foci, blockSource = foci; ///< Or the ceramic of the identify tone.
-    bool isMuting = false, isLeaving = false, hasNewTable = false;
+    bool isMuting = false, isOnLeave = false, hasNewTable = false;
     SafetyRamp muteRamp { 1 }, sourceRamp { 1 };
 };
 } // namespace antinode

@@ -45,6 +45,7 @@ public:
         does so itself 20 times a second. [message thread] */
     void restTouches();
 
+    Eigen::VectorXd limits() override;
     void stopAll() override { player.session().stopAll(); }
     bool playsFoci() const override { return true; }
     juce::String latencyText() override;
@@ -56,7 +57,6 @@ private:
     juce::String touchLines (const TouchCounters&) override;
     std::string unusedTouches (const TouchCounters&) override;
     void keepState (StandaloneSettings& settings) override { settings.state = player.state(); }
-    Eigen::VectorXd limits() override;
     std::uint64_t generation() override { return player.session().snapshot()->generation; }
     void setControl (OscControl control) override { touchInput.setControl (std::move (control)); }
     void tick() override;

@@ -45,6 +45,7 @@ public:
     void shutDown() override;
 
     RemotePlayer remotePlayer() override;
+    Eigen::VectorXd limits() override;
     void stopAll() override { player.stopAll(); }
     bool playsFoci() const override { return false; }
     juce::String latencyText() override;
@@ -59,7 +60,6 @@ private:
     juce::String touchLines (const TouchCounters&) override;
     std::string unusedTouches (const TouchCounters&) override;
     void keepState (StandaloneSettings&) override;
-    Eigen::VectorXd limits() override;
     std::uint64_t generation() override;
     void setControl (OscControl control) override { player.network().setControl (std::move (control)); }
     AudioChoice audioToKeep (AudioChoice opened) const override;

@@ -198,6 +198,7 @@ TEST_CASE ("a meter's reading says what is wrong with a wire, and a scope's sets
     tour.until (BenchStep::aiming);
     const auto volts = tour.bench.shown().toneVolts.front();
     tour.bench.row (0).enterTone (juce::String (0.9 * volts, 4) + " V");
+    tour.until (BenchStep::aiming); // It is measured by the new gain.
     const auto full = tour.bench.shown().picture->model->fullScaleVoltage;
     CHECK (tour.bench.routing().chains[0].voltsPerFullScale == Approx (0.9 * full).epsilon (1e-3));
     tour.bench.row (0).enterTone ("0.0001"); // No gain: a reading of nothing.
@@ -210,7 +211,7 @@ namespace
    samples later, its second the last output. */
 struct LoopedDevice
 {
-    static constexpr int outputs = 10, block = 128, delay = 200;
+    static constexpr int outputs = 10, block = 512, delay = 600; // Longer than two ramps.
     static constexpr double rate = 48000;
 
     LoopedDevice()
@@ -293,11 +294,12 @@ struct LoopedDevice
 
     std::unique_ptr<HostBench> open()
     {
-        return std::make_unique<HostBench> (std::make_shared<BenchDevice> (host), BenchSensor { 0, 1, { 1000, 1 } },
-                                            true, *host.model());
+        shared = std::make_shared<BenchDevice> (host);
+        return std::make_unique<HostBench> (shared, BenchSensor { 0, 1, { 1000, 1 } }, true, *host.model());
     }
 
     StandaloneHost host { SettingsFile ({}), false };
+    std::shared_ptr<BenchDevice> shared;
     std::atomic<bool> isOver { false };
     std::atomic<bool> holds { false }; ///< It calls no more once an output moves.
     std::atomic<double> largest { 0 }, now { 0 };
@@ -381,6 +383,7 @@ TEST_CASE ("the bench stops at 0 V by every stop there is, says why, and plays n
         CHECK (device.now == 0);
 
         undo (device);
+        device.shared->allow(); // As the next answer does.
         CHECK_NOTHROW (bench->play (device.excitation (0.05), 1, 0, 1));
     }
 
@@ -388,6 +391,23 @@ TEST_CASE ("the bench stops at 0 V by every stop there is, says why, and plays n
     device.host.arm().setValueNotifyingHost (0);
     CHECK_THROWS_WITH (device.open()->play (device.excitation (0.05), 1, 0, 1),
                        Catch::Matchers::Contains ("not armed"));
+    CHECK (device.largest == 0);
+}
+
+TEST_CASE ("a stop between two ceramics voids what follows, and another rate is refused")
+{
+    LoopedDevice device;
+    const auto bench = device.open();
+    const auto excitation = device.excitation (0.05);
+    CHECK_NOTHROW (bench->play (excitation, 0, 0, 1));
+    device.host.stopAll();
+    device.largest = 0;
+    CHECK_THROWS_WITH (bench->play (excitation, 1, 0, 1), Catch::Matchers::Contains ("stopped"));
+    CHECK (device.largest == 0);
+    device.shared->allow();
+    auto faster = excitation;
+    faster.settings.sampleRate *= 2;
+    CHECK_THROWS_WITH (bench->play (faster, 1, 0, 1), Catch::Matchers::Contains ("48000"));
     CHECK (device.largest == 0);
 }
 

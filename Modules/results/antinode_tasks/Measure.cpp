@@ -73,8 +73,8 @@ Eigen::MatrixX2d placesToMeasure (const ModalModel& model, int count)
     const auto isLine = surface.kind == SurfaceKind::line;
     const int candidates = isLine ? 20 : 60; // So few that chosen ones are some millimetres apart: aim is no better.
     const auto width = surface.xMaximum - surface.xMinimum, height = surface.yMaximum - surface.yMinimum;
-    const auto away = margin * (isLine ? width : std::min (width, height));
-    const auto isInside = [&] (double x, double y)
+    const auto wide = margin * (isLine ? width : std::min (width, height));
+    const auto isInside = [&] (double x, double y, double away)
     {
         const auto up = isLine ? 0.0 : away;
         return liesOn (surface, x - away, y) && liesOn (surface, x + away, y) && liesOn (surface, x, y - up)
@@ -83,9 +83,14 @@ Eigen::MatrixX2d placesToMeasure (const ModalModel& model, int count)
     const auto centres = squareCells (surface, candidates).centres;
     std::vector<Eigen::Index> inside;
 
-    for (Eigen::Index c = 0; c < centres.rows(); ++c)
-        if (isInside (centres (c, 0), centres (c, 1)))
-            inside.push_back (c);
+    // Where the surface is narrow, closer to its edges.
+    for (auto away = wide; inside.empty() && away > wide / 100; away /= 2)
+        for (Eigen::Index c = 0; c < centres.rows(); ++c)
+            if (isInside (centres (c, 0), centres (c, 1), away))
+                inside.push_back (c);
+
+    if (inside.empty())
+        throw InputError ("device", "has no place for a sensor that is not at an edge");
 
     const Eigen::MatrixX2d at = centres (inside, Eigen::all);
     Eigen::MatrixXd audibilities = shapesAtPlaces (model, at).cwiseAbs2();

@@ -51,6 +51,7 @@ MeasuredSurface measureOnBench (const MeasureRequest&, const PointGuide&, const 
 
 /** Places for a sensor that tell most of all modes together, the best first: away from edges and from nodal lines.
     @return  at most count x 2, m
+    @throws InputError  where there is none
     [worker] Docs/Theory.md, section 7.8. */
 Eigen::MatrixX2d placesToMeasure (const ModalModel&, int count);
 

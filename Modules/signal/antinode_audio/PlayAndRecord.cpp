@@ -13,7 +13,7 @@ void PlayAndRecord::begin (std::shared_ptr<Take> take)
         throw InputError ("audio device", "has stopped; choose it again, then repeat the measurement");
 
     stops = false;
-    kept = std::move (take);
+    before = std::exchange (kept, std::move (take)); // It may just be told that it is done.
     current = kept.get();
 }
 

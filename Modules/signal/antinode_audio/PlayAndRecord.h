@@ -41,6 +41,13 @@ public:
         [audio thread] */
     void process (const float* const* inputs, int inputCount, float* const* outputs, int outputCount, int count);
 
+    /** Whether a take plays. [audio thread] */
+    bool hasBegun() const
+    {
+        const auto* const take = current.load();
+        return take != nullptr && take->samples > 0;
+    }
+
     /** Ends a take that has begun, and one that has not where it may not begin. What it played is ramped elsewhere.
         [audio thread] */
     void cut (bool mayBegin);
@@ -55,7 +62,7 @@ private:
     void end (Take&);
     void run (Take&, const float* const* inputs, int inputCount, float* const* outputs, int outputCount, int count);
 
-    std::shared_ptr<Take> kept; ///< Of who begins takes: the audio thread may have it as long as its device is silent.
+    std::shared_ptr<Take> kept, before; ///< Of who begins takes: the audio thread may have it as long as its device is silent.
     std::atomic<Take*> current { nullptr };
     std::atomic<bool> stops { false };
     std::atomic<std::int64_t> called { 0 };

@@ -161,7 +161,8 @@ std::string wiring (const CheckedBench& bench)
     {
         const auto& ceramic = model.ceramics[i];
         text += formatted (
-            "   %-6zu  %-16s  %-19s  %-10s  %-13s  %-11s  %s\n", i + 1, ceramic.name.c_str(),
+            "   %-6d  %-16s  %-19s  %-10s  %-13s  %-11s  %s\n",
+            i < channels.outputs.size() ? channels.outputs[i] + 1 : static_cast<int> (i) + 1, ceramic.name.c_str(),
             knownOr (model.fullScaleVoltage, "V").c_str(), knownOr (voltageLimit (model, i), "V").c_str(),
             knownOr (sheet.excitation.settings.levels[static_cast<Eigen::Index> (i)], "V").c_str(),
             knownOr (ceramic.capacitance * nano, "nF").c_str(), knownOr (loads[i].current * milli, "mA").c_str());
@@ -303,8 +304,12 @@ std::string measuringSteps (const CheckedBench& bench)
     const auto run = static_cast<double> (excitation.runLength) / rate;
     const auto check =
         static_cast<double> (levelCheckExcitation (bench.sheet).runLength * excitation.ceramics()) / rate;
-    return "7. Disarm and close the standalone program: the interface serves one program. Give the command without "
-           "--checklist.\n   Its level check should give about "
+    const auto isInWindow = ! bench.channels.outputs.empty();
+    const std::string begin =
+        isInWindow ? "7. Measure here."
+                   : "7. Disarm and close the standalone program: the interface serves one program. Give the command "
+                     "without --checklist.";
+    return begin + "\n   Its level check should give about "
            + velocityInWords (levelCheckVelocity (bench), bench.sensor)
            + ".\n   A third or three times as much: the sensor's range, the gain, the glue, or a device that differs "
              "from "
@@ -313,7 +318,9 @@ std::string measuringSteps (const CheckedBench& bench)
                         sensors, sensors == 1 ? "" : "s", excitation.ceramics(), run,
                         durationInWords (static_cast<double> (runs) * run + check).c_str())
            + ", and what moving the sensor takes.\n"
-             "9. To stop: Ctrl+C, all outputs are at 0 V after 20 ms. Amplifiers off before a wire is touched; "
+             "9. To stop: "
+           + (isInWindow ? "MUTE ALL (F12), Escape or Stop" : "Ctrl+C")
+           + ", all outputs are at 0 V after 20 ms. Amplifiers off before a wire is touched; "
              "ceramics "
              "keep\n   their charge: discharge them through 100 kOhm.\n";
 }

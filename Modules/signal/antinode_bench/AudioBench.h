@@ -14,12 +14,13 @@
 
 namespace antinode
 {
-/** The roles of the channels of an audio device, counted from 0. Ceramic k is output k. */
+/** The roles of the channels of an audio device, counted from 0. */
 struct BenchChannels
 {
     std::vector<int> sensors; ///< Inputs.
     int syncOutput = 0;
-    int syncInput = -1; ///< -1: none.
+    int syncInput = -1;       ///< -1: none.
+    std::vector<int> outputs; ///< Of each ceramic, by the routing of the window that measures; empty: in their order.
 };
 
 /** The real bench: an audio device, its outputs on the amplifiers, its inputs on the sensors, one output looped back to

@@ -25,16 +25,21 @@ Eigen::Index columnsFor (const std::vector<Eigen::Index>& columns, Eigen::Index 
 
 RunRecording TakeBench::play (const Excitation& excitation, Eigen::Index ceramic, Eigen::Index, Eigen::Index points)
 {
+    requireRate (excitation.settings.sampleRate);
     return playRun (playedRun (excitation, ceramic, layout.fullScale), points);
+}
+
+void TakeBench::requireRate (double wanted) const
+{
+    if (const auto open = sampleRate(); open != wanted)
+        throw InputError ("audio device", "runs at " + inWords (open) + " Hz; allowed: " + inWords (wanted)
+                                              + " Hz, the rate of the voltages");
 }
 
 RunRecording TakeBench::playTogether (const Eigen::MatrixXd& voltages, const Eigen::VectorXd& sync, double rate,
                                       Eigen::Index points)
 {
-    if (const auto open = sampleRate(); open != rate)
-        throw InputError ("audio device", "runs at " + inWords (open) + " Hz; allowed: " + inWords (rate)
-                                              + " Hz, the rate of the voltages");
-
+    requireRate (rate);
     Eigen::MatrixXd run (voltages.rows() + 1, voltages.cols());
     run << voltages / layout.fullScale, sync.transpose();
 
@@ -56,14 +61,6 @@ RunRecording TakeBench::playRun (const Eigen::MatrixXd& run, Eigen::Index points
     if (layout.syncOutput >= 0)
         played.col (layout.syncOutput) = run.bottomRows (1).transpose().cast<float>();
 
-    struct Release
-    {
-        TakeBench& bench;
-        ~Release() { bench.release(); }
-    };
-
-    const Release after { *this };
-
     for (int attempt = 0; attempt < attempts; ++attempt)
     {
         const auto take = std::make_shared<Take>();
@@ -74,7 +71,7 @@ RunRecording TakeBench::playRun (const Eigen::MatrixXd& run, Eigen::Index points
         waitFor (*take);
         checkWatch();
 
-        if (take->samples < run.cols())
+        if (take->samples < run.cols() || isVoid())
             throw InputError ("measurement", whyEnded());
 
         if (lostBlocks() == lostBefore)

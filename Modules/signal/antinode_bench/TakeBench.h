@@ -52,8 +52,8 @@ private:
     virtual void begin (std::shared_ptr<Take>) = 0;
     virtual void stop() = 0;
 
-    /** No take follows for now. */
-    virtual void release() {}
+    /** Whether something else has stopped all since it was allowed. */
+    virtual bool isVoid() const { return false; }
 
     /** The device does not call any more: it must not touch the take of now. */
     virtual void leave() = 0;
@@ -61,6 +61,7 @@ private:
     /** Why a take has ended before its end, though nobody here has stopped it. */
     virtual std::string whyEnded() const = 0;
 
+    void requireRate (double wanted) const;
     RunRecording playRun (const Eigen::MatrixXd& run, Eigen::Index points);
     void waitFor (const Take&);
     RunRecording toRecording (const Take&, Eigen::Index points) const;
