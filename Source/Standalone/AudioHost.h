@@ -240,9 +240,9 @@ private:
 
     void begin (Instrument);
     virtual void keepState (StandaloneSettings&) = 0; ///< What plays, into the settings.
-    virtual std::uint64_t generation() = 0;   ///< Another one where limits may have changed.
-    virtual void setControl (OscControl) = 0; ///< Of the ports that are opened from now on.
-    virtual void tick() {}                    ///< 20 times a second.
+    virtual std::uint64_t generation() = 0;           ///< Another one where limits may have changed.
+    virtual void setControl (OscControl) = 0;         ///< Of the ports that are opened from now on.
+    virtual void tick() {}                            ///< 20 times a second.
     virtual TouchPorts openPorts() = 0;
     virtual TouchCounters touchCounters() = 0;
     virtual juce::String touchLines (const TouchCounters&) = 0;   ///< Of touchStatus().

@@ -467,7 +467,7 @@ void BenchPanel::showRows()
 
 juce::String BenchPanel::title() const
 {
-    const auto place =
+    auto place =
         "Point " + juce::String (state.point + 1) + " of " + juce::String (static_cast<int> (state.points.rows()));
 
     switch (state.step)

@@ -62,7 +62,8 @@ private:
     void end (Take&);
     void run (Take&, const float* const* inputs, int inputCount, float* const* outputs, int outputCount, int count);
 
-    std::shared_ptr<Take> kept, before; ///< Of who begins takes: the audio thread may have it as long as its device is silent.
+    std::shared_ptr<Take> kept,
+        before; ///< Of who begins takes: the audio thread may have it as long as its device is silent.
     std::atomic<Take*> current { nullptr };
     std::atomic<bool> stops { false };
     std::atomic<std::int64_t> called { 0 };
