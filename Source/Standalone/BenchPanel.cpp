@@ -462,7 +462,8 @@ void BenchPanel::showRows()
     const auto canIdentify = ! isTour() && host.arm().get() && state.step != BenchStep::playing;
 
     for (std::size_t k = 0; k < rows.size(); ++k)
-        rows[k]->show (state, canIdentify, ! hasPoint() && state.step == BenchStep::aiming, host.router().identified() == static_cast<int> (k));
+        rows[k]->show (state, canIdentify, ! hasPoint() && state.step == BenchStep::aiming,
+                       host.router().identified() == static_cast<int> (k));
 }
 
 juce::String BenchPanel::title() const

@@ -305,8 +305,8 @@ PointGuide BenchWork::guide (const MeasurementFolder& folder, const std::functio
     };
     guide.tell = [this] (const std::string& sentence)
     { set ([&] (BenchState& now) { now.sentences.push_back (sentence); }); };
-    guide.wires =
-        [this, rest, isFirst = true] (const SurfaceMeasurement& measurement, const std::vector<WireFinding>& findings) mutable
+    guide.wires = [this, rest, isFirst = true] (const SurfaceMeasurement& measurement,
+                                                const std::vector<WireFinding>& findings) mutable
     {
         const auto decides = std::exchange (isFirst, false) && ! findings.empty();
         set (
@@ -335,8 +335,8 @@ void BenchWork::measure (const BenchQuestion& question)
     const auto model = excitedModel (request.excitation.device, true);
 
     if (model.actuators() > OutputRouting::maximumCeramics)
-        throw InputError ("device", "has " + std::to_string (model.actuators()) + " ceramics; allowed: "
-                                        + std::to_string (OutputRouting::maximumCeramics));
+        throw InputError ("device", "has " + std::to_string (model.actuators())
+                                        + " ceramics; allowed: " + std::to_string (OutputRouting::maximumCeramics));
 
     request.points = placesToMeasure (model, question.points);
     request.excitation.levels = levelsFor (model, question);
@@ -352,8 +352,8 @@ void BenchWork::measure (const BenchQuestion& question)
     std::vector<double> tones;
 
     for (std::size_t k = 0; k < model.ceramics.size(); ++k)
-        tones.push_back (IdentifyTone::amplitude (k < question.limits.size() ? question.limits[k]
-                                                                             : voltageLimit (model, k)));
+        tones.push_back (
+            IdentifyTone::amplitude (k < question.limits.size() ? question.limits[k] : voltageLimit (model, k)));
 
     set (
         [&] (BenchState& now)

@@ -27,9 +27,9 @@ struct BenchQuestion
     std::function<void()> rest; ///< Called while it waits for an answer: other things may play; none: nothing is done.
     BenchSensor sensor;
     bool hasSync = true;
-    double sampleRate = 96000;      ///< Hz
-    double latency = 0;             ///< s, without a sync channel.
-    double levelShare = 0.2;        ///< Of the limit of each ceramic and its amplifier.
+    double sampleRate = 96000;  ///< Hz
+    double latency = 0;         ///< s, without a sync channel.
+    double levelShare = 0.2;    ///< Of the limit of each ceramic and its amplifier.
     std::vector<double> limits; ///< V, of each ceramic, that the program keeps besides the device's; missing: none.
     std::vector<int> outputs;   ///< Of each ceramic, counted from 0.
     int syncOutput = -1;        ///< Counted from 0; below 0: none.

@@ -108,7 +108,7 @@ struct RouterBlock
     double fullScaleVolts = 0;     ///< 0: nothing is played yet.
     bool isArmed = false;          ///< Else there is no identify tone either.
     const float* marker = nullptr; ///< 1 from each focus on for its time; none: nothing marks.
-    int stay = -1;                 ///< Ceramics and marker are those of a measurement in this stay of the router; -1: of none.
+    int stay = -1; ///< Ceramics and marker are those of a measurement in this stay of the router; -1: of none.
 };
 
 /** The last station before the device: from voltages to what each output must give so that the amplifier behind it
