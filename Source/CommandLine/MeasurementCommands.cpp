@@ -229,11 +229,6 @@ PointGuide terminalGuide (bool asksNoQuestions)
         std::printf ("%s\n", sentence.c_str());
         std::fflush (stdout);
     };
-    guide.wires = [tell = guide.tell] (const SurfaceMeasurement&, const std::vector<WireFinding>& findings)
-    {
-        for (const auto& found : findings)
-            tell ("wiring: " + wireInWords (found));
-    };
 
     if (! asksNoQuestions)
         guide.ask = askAtPoint;

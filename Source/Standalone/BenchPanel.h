@@ -132,6 +132,7 @@ private:
     BenchQuestion question();
     std::string conditions() const;
     juce::String closedInputs() const;
+    bool isOutdated() const;
     bool hasPoint() const;
     void setRouting (const OutputRouting&);
     void scaleAmplifier (std::size_t ceramic, double ratio);
@@ -153,7 +154,8 @@ private:
     BenchState state;
     OutputRouting tourRouting = straightRouting();
     juce::String saved;     ///< What became of the last action.
-    std::string begunUnder; ///< conditions() of the measurement.
+    std::string begunUnder; ///< conditions() of the measurement, with the next line.
+    Eigen::VectorXd begunLimits;
     Page page;
     juce::Viewport viewport;
     juce::ComboBox bench, input, syncInput;

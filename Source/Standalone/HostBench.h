@@ -24,7 +24,7 @@ public:
     /** [message thread] */
     void close();
 
-    /** The sum of what the device has played, Hz of it, and what it has lost; all 0 without one. [any] */
+    /** As AudioCallback; all 0 when it is closed. [any] */
     std::int64_t samplesPlayed() const;
     double sampleRate() const;
     int lostBlocks() const;

@@ -2,10 +2,13 @@
 #include "Support/RunProgram.h"
 
 #include <antinode_audio/AudioTypes.h>
+#include <antinode_documents/DeviceFile.h>
 #include <antinode_documents/ExcitationFile.h>
 #include <antinode_documents/Inputs.h>
+#include <antinode_documents/Library.h>
 #include <antinode_measurement/SimulatedBench.h>
 #include <antinode_responses/MeasurementReader.h>
+#include <antinode_tasks/Measure.h>
 #include <antinode_text/JsonText.h>
 #include <antinode_text/OutputFolder.h>
 #include <antinode_text/WaveFile.h>
@@ -238,4 +241,43 @@ TEST_CASE ("Help names the types of audio devices that this system has", "[comma
 
     for (const auto* const command : { "calibrate", "learn", "measure" })
         CHECK (runProgram ({ command, "--help" }).output.find (deviceTypeHelp()) != std::string::npos);
+}
+
+TEST_CASE ("places to measure lie apart on the surface, away from its edges, and hear every mode", "[command line]")
+{
+    for (const auto* const name : { "beam", "phone" })
+    {
+        const auto model = solveDevice (readDevice (loadDocument (LibraryKind::device, name), name), {}, true);
+        const auto places = placesToMeasure (model, 6);
+        const auto shapes = shapesAtPlaces (model, places);
+        REQUIRE (places.rows() == 6);
+
+        for (Eigen::Index p = 0; p < 6; ++p)
+        {
+            INFO (name << ", point " << p + 1);
+            CHECK (liesOn (model.surface, places (p, 0), places (p, 1)));
+            CHECK (places (p, 0) - model.surface.xMinimum > 5e-3);
+            CHECK (model.surface.xMaximum - places (p, 0) > 5e-3);
+
+            for (Eigen::Index q = 0; q < p; ++q)
+                CHECK ((places.row (p) - places.row (q)).norm() > 4e-3);
+        }
+
+        // None of the modes has its nodes at all of them.
+        const auto cells = squareCells (model.surface, 400).centres;
+        Eigen::VectorXd squares = Eigen::VectorXd::Zero (model.modes());
+        double count = 0;
+
+        for (Eigen::Index c = 0; c < cells.rows(); ++c)
+            if (liesOn (model.surface, cells (c, 0), cells (c, 1)))
+            {
+                squares += shapesAtPlaces (model, cells.row (c)).cwiseAbs2().transpose();
+                ++count;
+            }
+
+        const Eigen::VectorXd heard = shapes.cwiseAbs().colwise().maxCoeff().transpose();
+
+        for (Eigen::Index k = 0; k < model.modes(); ++k)
+            CHECK (heard[k] > 0.3 * std::sqrt (squares[k] / count));
+    }
 }

@@ -164,6 +164,12 @@ TEST_CASE ("a measurement that was stopped goes on with the points that are left
     bench.begin();
     tour.until (BenchStep::aiming);
     CHECK (bench.shown().folder != folder); // Another level is another measurement.
+
+    // What was chosen for one device is not played on another one.
+    tour.window.fociEditor()->content().changeDevice (deviceDocument ("beam"));
+    bench.answer (PointAnswer::measure);
+    CHECK (bench.shown().step == BenchStep::aiming);
+    CHECK (bench.shown().sentences.empty());
 }
 
 TEST_CASE ("exchanged and reversed wires are put right by the routing")

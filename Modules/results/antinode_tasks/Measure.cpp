@@ -135,11 +135,6 @@ MeasuredSurface measure (const MeasureRequest& request, const ShowProgress& show
         if (show)
             show (sentence, std::min (1.0, told++ / static_cast<double> (request.points.rows())));
     };
-    guide.wires = [&] (const SurfaceMeasurement&, const std::vector<WireFinding>& findings)
-    {
-        for (const auto& found : findings)
-            guide.tell ("wiring: " + wireInWords (found));
-    };
     return measureOnBench (request, guide);
 }
 } // namespace antinode

@@ -216,8 +216,13 @@ Eigen::Index pointsTogether (const Bench& bench, const MeasurementFolder& folder
 /** While a wrong wire is still easily changed, and once more when all is known. */
 void tellWiring (const Measuring& measuring, const SurfaceMeasurement& measurement)
 {
+    const auto findings = checkWiring (measuring.drawn, measurement.responses);
+
     if (measuring.guide.wires)
-        measuring.guide.wires (measurement, checkWiring (measuring.drawn, measurement.responses));
+        return measuring.guide.wires (measurement, findings);
+
+    for (const auto& found : findings)
+        tell (measuring.guide, "wiring: " + wireInWords (found));
 }
 
 SurfaceMeasurement measureAll (const Measuring& measuring, const MeasurementFolder& folder)

@@ -63,7 +63,8 @@ struct PointGuide
     /** Called before each ceramic is played. */
     std::function<void (Eigen::Index ceramic)> plays;
 
-    /** What is measured so far, and which wires are wrong by it: after the first point and at the end. */
+    /** What is measured so far, and which wires are wrong by it: after the first point and at the end; none: they are
+        told. */
     std::function<void (const SurfaceMeasurement&, const std::vector<WireFinding>&)> wires;
 };
 
