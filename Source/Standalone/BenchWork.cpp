@@ -10,6 +10,7 @@
 #include <antinode_bench/AudioBench.h>
 #include <antinode_documents/MeasuredDevice.h>
 #include <antinode_focus/Detuning.h>
+#include <antinode_learning/ChooseSensors.h>
 #include <antinode_text/JsonText.h>
 
 #include <nlohmann/json.hpp>

@@ -6,9 +6,9 @@
 #include <antinode_documents/ExcitationFile.h>
 #include <antinode_documents/Inputs.h>
 #include <antinode_documents/Library.h>
+#include <antinode_learning/ChooseSensors.h>
 #include <antinode_measurement/SimulatedBench.h>
 #include <antinode_responses/MeasurementReader.h>
-#include <antinode_tasks/Measure.h>
 #include <antinode_text/JsonText.h>
 #include <antinode_text/OutputFolder.h>
 #include <antinode_text/WaveFile.h>

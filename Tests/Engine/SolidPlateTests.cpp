@@ -5,6 +5,7 @@
 #include <antinode_identification/Identification.h>
 #include <antinode_identification/IdentifiedModel.h>
 #include <antinode_identification/Wiring.h>
+#include <antinode_learning/ChooseSensors.h>
 #include <antinode_learning/Retuning.h>
 #include <antinode_model/ShapeInterpolation.h>
 #include <antinode_structure/DeviceDescription.h>
@@ -367,6 +368,33 @@ TEST_CASE ("Points a millimetre beside their places retune the solid plate nearl
     CHECK (reached < 0.02);
     CHECK (said < 2 * reached);
     CHECK (said > reached / 2);
+}
+
+TEST_CASE ("The places that the bench chooses retune the solid plate, and its first one names wrong wires",
+           "[structure][solid]")
+{
+    const auto drawing = drawn (solidCases()[0]);
+    const auto chosen = placesToMeasure (drawing, 6);
+    REQUIRE (chosen.rows() == 6);
+    std::vector<Eigen::Vector2d> nearest; // Of the points that are known, 10 mm apart.
+
+    for (Eigen::Index p = 0; p < chosen.rows(); ++p)
+        nearest.emplace_back ((chosen.row (p).transpose() * 100).array().round() * 10);
+
+    const auto responses = responsesOfSolid (numbersOf (nearest));
+    const auto [said, reached] = playedOnSolid (retune (drawing, responses, {}).model, { 62, 42 }, 0.025);
+    CAPTURE (said, reached);
+    CHECK (reached < 0.02);
+
+    auto first = responsesOfSolid (numbersOf ({ nearest.front() }));
+    CHECK (checkWiring (drawing, first).empty());
+    std::swap (first.values[1], first.values[4]);
+    first.values[2] *= -1;
+    const auto findings = checkWiring (drawing, first);
+    REQUIRE (findings.size() == 3);
+    CHECK (findings[0].kind == WireFinding::Kind::exchanged);
+    CHECK (findings[1].kind == WireFinding::Kind::reversed);
+    CHECK (findings[2].kind == WireFinding::Kind::exchanged);
 }
 
 TEST_CASE ("A measured plate has the static share of the modes above the band", "[identification][solid]")

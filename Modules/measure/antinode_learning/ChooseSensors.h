@@ -37,4 +37,10 @@ struct SensorChoice
     @param count         1 to the number of candidates
     [worker] Docs/Theory.md, section 7.8. */
 SensorChoice chooseSensors (const PlayedInformation&, const Eigen::MatrixXd& audibilities, Eigen::Index count);
+
+/** Places for a sensor that tell most of all modes together, the best first: away from edges and from nodal lines.
+    @return  at most count x 2, m
+    @throws InputError  where there is none
+    [worker] Docs/Theory.md, section 7.8. */
+Eigen::MatrixX2d placesToMeasure (const ModalModel&, int count);
 } // namespace antinode

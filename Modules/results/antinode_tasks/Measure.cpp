@@ -5,7 +5,6 @@
 #include <antinode_base/InputError.h>
 #include <antinode_bench/Bench.h>
 #include <antinode_bench/Measuring.h>
-#include <antinode_learning/ChooseSensors.h>
 #include <antinode_reports/MeasurementReport.h>
 #include <antinode_responses/UniversalFile.h>
 #include <antinode_responses/UniversalResponses.h>
@@ -64,46 +63,6 @@ std::vector<Field> fields (MeasureRequest& request)
                   .within (-20, 20)
                   .with (simulate) });
     return all;
-}
-
-Eigen::MatrixX2d placesToMeasure (const ModalModel& model, int count)
-{
-    constexpr double margin = 0.08; // of the shorter side: aim is worst, and motion least like the drawing's, at edges
-    const auto& surface = model.surface;
-    const auto isLine = surface.kind == SurfaceKind::line;
-    const int candidates = isLine ? 20 : 60; // So few that chosen ones are some millimetres apart: aim is no better.
-    const auto width = surface.xMaximum - surface.xMinimum, height = surface.yMaximum - surface.yMinimum;
-    const auto wide = margin * (isLine ? width : std::min (width, height));
-    const auto isInside = [&] (double x, double y, double away)
-    {
-        const auto up = isLine ? 0.0 : away;
-        return liesOn (surface, x - away, y) && liesOn (surface, x + away, y) && liesOn (surface, x, y - up)
-               && liesOn (surface, x, y + up);
-    };
-    const auto centres = squareCells (surface, candidates).centres;
-    std::vector<Eigen::Index> inside;
-
-    // Where the surface is narrow, closer to its edges.
-    for (auto away = wide; inside.empty() && away > wide / 100; away /= 2)
-        for (Eigen::Index c = 0; c < centres.rows(); ++c)
-            if (isInside (centres (c, 0), centres (c, 1), away))
-                inside.push_back (c);
-
-    if (inside.empty())
-        throw InputError ("device", "has no place for a sensor that is not at an edge");
-
-    const Eigen::MatrixX2d at = centres (inside, Eigen::all);
-    Eigen::MatrixXd audibilities = shapesAtPlaces (model, at).cwiseAbs2();
-
-    // All modes count alike, however large their shapes are.
-    constexpr double signalToNoise = 100;
-    for (auto mode : audibilities.colwise())
-        if (const auto mean = mode.mean(); mean > 0)
-            mode *= signalToNoise / mean;
-
-    const PlayedInformation information (static_cast<std::size_t> (model.modes()), Eigen::VectorXd::Ones (1));
-    const auto choice = chooseSensors (information, audibilities, std::min<Eigen::Index> (count, at.rows()));
-    return at (choice.chosen, Eigen::all);
 }
 
 MeasuredSurface measureOnBench (const MeasureRequest& request, const PointGuide& guide, const OpenBench& open)

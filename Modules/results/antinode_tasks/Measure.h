@@ -49,12 +49,6 @@ using OpenBench = std::function<std::unique_ptr<Bench> (const ModalModel&, const
     [worker] Docs/FileFormats.md. */
 MeasuredSurface measureOnBench (const MeasureRequest&, const PointGuide&, const OpenBench& open = {});
 
-/** Places for a sensor that tell most of all modes together, the best first: away from edges and from nodal lines.
-    @return  at most count x 2, m
-    @throws InputError  where there is none
-    [worker] Docs/Theory.md, section 7.8. */
-Eigen::MatrixX2d placesToMeasure (const ModalModel&, int count);
-
 /** Measures on a simulated bench. @throws InputError  as measureOnBench, and where a real one is asked for [worker] */
 MeasuredSurface measure (const MeasureRequest&, const ShowProgress&);
 } // namespace antinode
