@@ -5,6 +5,7 @@ import time
 
 import antinode as an
 import pytest
+from antinode._player import _Listener
 
 
 @pytest.fixture(scope="module")
@@ -78,10 +79,9 @@ class Program:
     """Answers as the standalone program does."""
 
     def __init__(self, liblo):
-        self.liblo, self.heard = liblo, []
-        self.server = liblo.ServerThread()
-        self.server.add_method(None, None, self.take)
-        self.server.start()
+        self.heard = []
+        self.listener = _Listener(liblo, self.take)
+        self.server = self.listener.server
 
     def take(self, path, arguments, types, source):
         if not arguments:
@@ -125,4 +125,14 @@ def test_the_program_is_spoken_to():
         assert paths.count("/antinode/prepare") == 2
         assert "/antinode/stop" in paths
     finally:
-        program.server.stop()
+        program.listener.close()
+
+
+def test_a_player_closes_while_messages_arrive():
+    liblo = pytest.importorskip("liblo")
+    for _ in range(20):
+        listener = _Listener(liblo, lambda *_: None)
+        for number in range(20):
+            liblo.send(listener.server.port, "/antinode/finished", number)
+        listener.close()
+        assert listener.closed()

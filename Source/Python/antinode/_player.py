@@ -245,6 +245,33 @@ def _end(process: "subprocess.Popen[bytes]") -> None:
             process.wait()
 
 
+class _Listener:
+    """An OSC server on its own thread.
+
+    Not liblo.ServerThread: its stop() waits for the thread without releasing the interpreter, which a message that has just
+    arrived needs, so that both wait for ever.
+    """
+
+    def __init__(self, liblo: Any, take: Any) -> None:
+        self.server = liblo.Server()
+        self.server.add_method(None, None, take)
+        self._closing = threading.Event()
+        self._thread = threading.Thread(target=self._listen, daemon=True)
+        self._thread.start()
+
+    def _listen(self) -> None:
+        while not self._closing.is_set():
+            self.server.recv(50)
+
+    def closed(self) -> bool:
+        return self._closing.is_set()
+
+    def close(self) -> None:
+        self._closing.set()
+        self._thread.join()
+        self.server.free()
+
+
 class _Program:
     """Speaks OSC to the standalone program, which it may have started."""
 
@@ -266,13 +293,11 @@ class _Program:
         self._answers: dict[str, "queue.Queue[tuple[str, list[Any]]]"] = {}
         self._process: Optional["subprocess.Popen[bytes]"] = None
         self._folder: Optional["tempfile.TemporaryDirectory[str]"] = None
-        self._liblo, self._address = liblo, liblo.Address("127.0.0.1", port)
+        self._address = liblo.Address("127.0.0.1", port)
+        self._listener = _Listener(liblo, self._take)
         try:
             if audio is not None:
                 self._start(device, audio, audio_device, port, options)
-            self._server = liblo.ServerThread()
-            self._server.add_method(None, None, self._take)
-            self._server.start()
             self._await_program()
         except BaseException:
             self.close()
@@ -329,7 +354,7 @@ class _Program:
         self._number += 1
         name = f"#python{self._number}"
         self._answers[name] = queue.Queue()
-        self._server.send(self._address, f"/antinode/{command}", *arguments, name)
+        self._listener.server.send(self._address, f"/antinode/{command}", *arguments, name)
         return name
 
     def _hear(self, name: str, wanted: str, seconds: float) -> list[Any]:
@@ -391,12 +416,13 @@ class _Program:
         return self._status(self._timeout)
 
     def close(self) -> None:
+        if self._listener.closed():
+            return
         if self._process is not None:
             self._end()
-        elif self._process is None and hasattr(self, "_server"):
-            self._server.send(self._address, "/antinode/stop")
-        if hasattr(self, "_server"):
-            self._server.stop()
+        else:
+            self._listener.server.send(self._address, "/antinode/stop")
+        self._listener.close()
         if self._folder is not None:
             self._errors.close()
             self._folder.cleanup()
