@@ -1,6 +1,8 @@
 """What a script that plays relies on: the model and the program answer alike, and nothing is silent."""
 
+import gc
 import math
+import threading
 import time
 
 import antinode as an
@@ -78,8 +80,8 @@ def test_nobody_who_answers_is_said():
 class Program:
     """Answers as the standalone program does."""
 
-    def __init__(self, liblo):
-        self.heard = []
+    def __init__(self, liblo, strays=0):
+        self.heard, self.strays = [], strays
         self.listener = _Listener(liblo, self.take)
         self.server = self.listener.server
 
@@ -91,6 +93,8 @@ class Program:
         say = lambda answer, *values: self.server.send(source, "/antinode/" + answer, name, *values)  # noqa: E731
         if path.endswith("status"):
             say("status", "device", "staple", "solving", False, "armed", True, "rate_Hz", ("d", 48000.0))
+            for _ in range(self.strays):
+                say("accepted", path)
         elif path.endswith("prepare"):
             say("accepted", path)
             say("designed", rest[0], ("d", 12.0), ("d", 0.99), ("d", 26.0), ("d", 0.025), ("d", 0.03))
@@ -129,10 +133,25 @@ def test_the_program_is_spoken_to():
 
 
 def test_a_player_closes_while_messages_arrive():
-    liblo = pytest.importorskip("liblo")
-    for _ in range(20):
-        listener = _Listener(liblo, lambda *_: None)
-        for number in range(20):
-            liblo.send(listener.server.port, "/antinode/finished", number)
-        listener.close()
-        assert listener.closed()
+    program = Program(pytest.importorskip("liblo"), strays=50)
+    try:
+        for _ in range(10):
+            player = an.Player("staple", "demonstrator", port=program.server.port)
+            player.close()
+            player.close()  # Twice is once.
+    finally:
+        program.listener.close()
+
+
+def test_a_player_that_nobody_closes_leaves_no_thread():
+    program = Program(pytest.importorskip("liblo"))
+    try:
+        before = set(threading.enumerate())
+        player = an.Player("staple", "demonstrator", port=program.server.port)
+        (listening,) = set(threading.enumerate()) - before
+        del player
+        gc.collect()
+        listening.join(60)
+        assert not listening.is_alive()
+    finally:
+        program.listener.close()

@@ -262,14 +262,18 @@ class _Listener:
     def _listen(self) -> None:
         while not self._closing.is_set():
             self.server.recv(50)
+        self.server.free()
 
     def closed(self) -> bool:
         return self._closing.is_set()
 
-    def close(self) -> None:
+    def end(self) -> None:
+        """Does not wait: garbage may be collected on the listening thread itself."""
         self._closing.set()
+
+    def close(self) -> None:
+        self.end()
         self._thread.join()
-        self.server.free()
 
 
 class _Program:
@@ -295,6 +299,7 @@ class _Program:
         self._folder: Optional["tempfile.TemporaryDirectory[str]"] = None
         self._address = liblo.Address("127.0.0.1", port)
         self._listener = _Listener(liblo, self._take)
+        weakref.finalize(self, self._listener.end)  # Also where nobody closes the player.
         try:
             if audio is not None:
                 self._start(device, audio, audio_device, port, options)
