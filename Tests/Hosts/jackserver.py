@@ -1,14 +1,20 @@
-"""A JACK server without hardware and a recorder at it. The server waits for its clients (synchronous, a minute for each block), and may run freely
-while it is recorded, so that a busy computer makes a test slower, not wrong."""
+"""A JACK server without hardware and a recorder at it. The server waits for its clients (synchronous), and may run freely
+while it is recorded, so that a busy computer makes a test slower, not wrong. JACK names the socket of a client
+by the client alone: of two servers on a computer the clients of one name may meet, so only one test has a server at a time."""
 
 import array
 import contextlib
 import os
 import shutil
+import signal
 import subprocess
 import tempfile
+import threading
 
 QUIET = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+PATIENCE = 2500  # ms, of the server for a client: less than the 3 s after which the program says that its device has stopped. Where ports come and
+# go, JACK itself may lose a client for that long, and ten times for a client that leaves.
+LONGEST = 600  # s: beyond it a test hangs; on a busy computer the longest takes 100
 
 
 def missing(test, tools):
@@ -25,13 +31,30 @@ def server(rate, block, outputs, inputs=2):
     name = f"antinode-{os.getpid()}"
     environment = dict(os.environ, JACK_DEFAULT_SERVER=name, JACK_NO_START_SERVER="1")
     environment.pop("DISPLAY", None)
-    process = subprocess.Popen(["jackd", "-n", name, "-r", "-S", "-t", "60000", "-d", "dummy", "-r", str(rate), "-p", str(block),
+    process = subprocess.Popen(["jackd", "-n", name, "-r", "-S", "-t", str(PATIENCE), "-d", "dummy", "-r", str(rate), "-p", str(block),
                                 "-P", str(outputs), "-C", str(inputs)], **QUIET)
+    watch = threading.Timer(LONGEST, end_what_hangs)
+    watch.daemon = True
+    watch.start()
     try:
         subprocess.run(["jack_wait", "-w", "-t", "300", "-s", name], env=environment, check=True, **QUIET)
         yield environment
     finally:
         stop(process)
+        watch.cancel()
+
+
+def end_what_hangs():
+    """Prints where the programs of this test wait, and kills them: the test then fails at once."""
+    with open(f"/proc/self/task/{os.getpid()}/children", encoding="ascii") as file:
+        children = file.read().split()
+    for child in children:
+        with open(f"/proc/{child}/cmdline", "rb") as file:
+            print("hangs:", file.read().replace(b"\0", b" ").decode(), flush=True)
+        if shutil.which("gdb"):
+            subprocess.run(["gdb", "-p", child, "-batch", "-ex", "thread apply all bt"], check=False, stderr=subprocess.STDOUT, timeout=60)
+    for child in children:
+        os.kill(int(child), signal.SIGKILL)
 
 
 def stop(process):
