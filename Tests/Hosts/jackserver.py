@@ -5,6 +5,7 @@ by the client alone: of two servers on a computer the clients of one name may me
 import array
 import contextlib
 import os
+import pathlib
 import shutil
 import signal
 import subprocess
@@ -12,8 +13,9 @@ import tempfile
 import threading
 
 QUIET = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-PATIENCE = 2500  # ms, of the server for a client: less than the 3 s after which the program says that its device has stopped. Where ports come and
-# go, JACK itself may lose a client for that long, and ten times for a client that leaves.
+# ms, of the server for a client that is late. It waits ten times as long where a client joins or leaves. More would not help: after 3 s the program
+# says that its device has stopped.
+PATIENCE = 2500
 LONGEST = 600  # s: beyond it a test hangs; on a busy computer the longest takes 100
 
 
@@ -46,15 +48,18 @@ def server(rate, block, outputs, inputs=2):
 
 def end_what_hangs():
     """Prints where the programs of this test wait, and kills them: the test then fails at once."""
-    with open(f"/proc/self/task/{os.getpid()}/children", encoding="ascii") as file:
-        children = file.read().split()
-    for child in children:
-        with open(f"/proc/{child}/cmdline", "rb") as file:
-            print("hangs:", file.read().replace(b"\0", b" ").decode(), flush=True)
-        if shutil.which("gdb"):
-            subprocess.run(["gdb", "-p", child, "-batch", "-ex", "thread apply all bt"], check=False, stderr=subprocess.STDOUT, timeout=60)
-    for child in children:
-        os.kill(int(child), signal.SIGKILL)
+    children = []
+    for task in pathlib.Path("/proc/self/task").iterdir():  # Each thread has its own.
+        children += (task / "children").read_text(encoding="ascii").split()
+    try:
+        for child in children:
+            print("hangs:", pathlib.Path(f"/proc/{child}/cmdline").read_text(encoding="utf-8").replace("\0", " "), flush=True)
+            if shutil.which("gdb"):
+                subprocess.run(["gdb", "-p", child, "-batch", "-ex", "thread apply all bt"], check=False, stderr=subprocess.STDOUT, timeout=60)
+    finally:
+        for child in children:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(int(child), signal.SIGKILL)
 
 
 def stop(process):
